@@ -1,0 +1,17 @@
+# Warnings, sanitizers and the one way in which a layer becomes a target.
+
+add_library(fagorc_options INTERFACE)
+target_compile_options(fagorc_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror)
+if(FAGORC_SANITIZE)
+    add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=address,undefined)
+endif()
+
+# fagorc_layer(NAME LINKS target...): all .cpp files below the current folder, as library fagorc_NAME.
+function(fagorc_layer name)
+    cmake_parse_arguments(ARG "" "" "LINKS;PRIVATE" ${ARGN})
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+    add_library(fagorc_${name} STATIC ${sources})
+    target_include_directories(fagorc_${name} PUBLIC ${PROJECT_SOURCE_DIR})
+    target_link_libraries(fagorc_${name} PUBLIC ${ARG_LINKS} PRIVATE fagorc_options ${ARG_PRIVATE})
+endfunction()

@@ -1,0 +1,1 @@
+// Provisional: the layer has no source yet.

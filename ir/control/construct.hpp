@@ -1,0 +1,140 @@
+// Rows of a control's language tables: what a word means, which operands it takes, how it is described.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <type_traits>
+
+#include "ir/base/text.hpp"
+#include "ir/program/function.hpp"
+#include "ir/program/modal.hpp"
+
+namespace fagorc::control {
+
+/// What an operand is: decides unit, diameter, scale and mirror of its value.
+enum class Role : std::uint8_t {
+    none,
+    coordinate,    ///< a coordinate: active length unit; of X as G151/G152 says; of a rotary axis in degrees
+    axis_name,     ///< a bare axis letter that names the axis (G74 X)
+    centre,        ///< I J K of an arc: active unit, always a radius
+    abscissa, ordinate,   ///< a coordinate of the plane's first, second axis under another letter (G93 I J)
+    radius_x,      ///< a length along X that is a radius whatever G151/G152 say
+    length,        ///< a true length: active unit, never a diameter
+    lead,          ///< advance of one spindle turn, active unit; not scaled
+    angle,         ///< degrees
+    feed, speed,   ///< by the active feed and speed mode
+    factor, percent,
+    count, row, choice,   ///< whole numbers: how many, which table row, which variant
+    label, program,       ///< a block label, a program number
+    hundredths     ///< time in 1/100 s
+};
+
+enum class Need : std::uint8_t { required, optional };
+
+/// Allowed values, in the operand's own unit as programmed.
+struct Range {
+    double least = -std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();
+    bool above = false;     ///< `least` itself is not allowed
+    bool whole = false;     ///< no decimals
+};
+
+/// How an operand reaches the member of the neutral function that it fills, and comes back for printing.
+struct Slot {
+    void (*set)(void* function, Axis axis, double value) = nullptr;
+    std::optional<double> (*get)(const void* function, Axis axis) = nullptr;
+};
+
+namespace detail {
+template <class T> struct member_of;
+template <class C, class M> struct member_of<M C::*> { using owner = C; using member = M; };
+}  // namespace detail
+
+/// The slot of a member pointer: a number, an optional number, or values by axis.
+template <auto Member>
+inline constexpr Slot at = [] {
+    using Owner = typename detail::member_of<decltype(Member)>::owner;
+    using Type = typename detail::member_of<decltype(Member)>::member;
+    if constexpr (std::is_same_v<Type, AxisValues>)
+        return Slot{[](void* f, Axis a, double v) { (static_cast<Owner*>(f)->*Member).set(a, v); },
+                    [](const void* f, Axis a) { return (static_cast<const Owner*>(f)->*Member).get(a); }};
+    else
+        return Slot{[](void* f, Axis, double v) { static_cast<Owner*>(f)->*Member = static_cast<Type>(v); },
+                    [](const void* f, Axis) { return std::optional<double>(static_cast<const Owner*>(f)->*Member); }};
+}();
+
+/// The address of an operand that stands for all axis letters.
+inline constexpr char any_axis = '*';
+
+struct Operand {
+    char address = 0;         ///< the letter, or any_axis
+    Role role = Role::none;
+    Need need = Need::optional;
+    Range range;
+    Slot slot;
+    Text text;
+};
+
+enum class Support : std::uint8_t { executed, planned };
+
+/// What else may stand in the block (8055 T 9.1).
+enum class Company : std::uint8_t {
+    any,
+    alone,            ///< nothing else in the block: an error
+    alone_expected,   ///< nothing else, but the manual does not say so: a warning
+    no_other_g,       ///< no other G code
+    alone_without_operands   ///< alone in the form without operands (G04)
+};
+
+/// Which words after the code are its operands.
+enum class Takes : std::uint8_t {
+    none,             ///< none: the words belong to the motion, the feed and so on
+    listed,           ///< the words of the block whose letters its table lists
+    next,             ///< only the words that follow the code at once (G36 R)
+    all,              ///< every word after it; they lose their ordinary meaning (canned cycles)
+    arguments         ///< local parameters of a subroutine (G180 A1 P2=3)
+};
+
+/// One construct: a G or M code. The functions make and find its neutral function.
+struct Construct {
+    char letter = 'G';
+    std::uint16_t number = 0;
+    std::string_view code;            ///< as the manual writes it: "G01", "G77S"
+    program::Group group = program::Group::none;
+    std::uint8_t setting = 0;         ///< value in its group: an enumerator of modal.hpp
+    Support support = Support::executed;
+    Company company = Company::any;
+    Takes takes = Takes::none;
+    std::string_view syntax;          ///< as the manual prints it: "G04 [K1..99999]"
+    std::string_view snippet;         ///< a small valid use
+    std::string_view section;         ///< of the manual: "8055 T 7.1"
+    Text title;
+    std::span<const Operand> operands;
+    program::Function (*make)() = nullptr;
+    void* (*target)(program::Function&) = nullptr;
+    std::string_view motion_letters;  ///< motion codes: letters that the motion itself uses besides axes ("IJKRQ")
+};
+
+/// Fills `make` and `target` of a row: `.make = makes<program::Dwell>, .target = target_of<program::Dwell>`.
+template <class F>
+inline constexpr auto makes = +[]() -> program::Function { return F{}; };
+template <class F>
+inline constexpr auto target_of = +[](program::Function& f) -> void* { return &std::get<F>(f); };
+
+/// A missing language, an address twice or a range the wrong way round does not compile.
+consteval bool well_formed(const Construct& c) {
+    if (!c.title.complete() || c.code.empty() || c.syntax.empty() || c.section.empty()) return false;
+    for (std::size_t i = 0; i < c.operands.size(); ++i) {
+        const Operand& o = c.operands[i];
+        if (!o.text.complete() || o.range.least > o.range.most || !o.slot.set) return false;
+        for (std::size_t k = 0; k < i; ++k)
+            if (c.operands[k].address == o.address) return false;
+    }
+    return c.operands.empty() || (c.make && c.target);
+}
+
+}  // namespace fagorc::control

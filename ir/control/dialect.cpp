@@ -1,0 +1,15 @@
+#include "ir/control/dialect.hpp"
+
+#include <algorithm>
+
+namespace fagorc::control {
+
+const Construct* Dialect::find(char letter, std::uint16_t number) const {
+    const auto before = [](const Construct* c, std::pair<char, std::uint16_t> key) {
+        return std::pair(c->letter, c->number) < key;
+    };
+    const auto at = std::lower_bound(constructs.begin(), constructs.end(), std::pair(letter, number), before);
+    return at != constructs.end() && (*at)->letter == letter && (*at)->number == number ? *at : nullptr;
+}
+
+}  // namespace fagorc::control

@@ -1,0 +1,72 @@
+// A control as data: everything that distinguishes one language from another.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "ir/control/construct.hpp"
+#include "ir/control/variable.hpp"
+#include "ir/program/modal.hpp"
+#include "ir/program/token.hpp"
+
+namespace fagorc::control {
+
+/// A reserved word of the high-level language: its text and the token that it makes.
+struct ReservedWord {
+    std::string_view text;
+    program::Token token{};
+    std::uint16_t payload = 0;
+    bool text_follows = false;     ///< the rest of the block up to the closing parenthesis is one text (WRITE)
+};
+
+/// A statement of the high-level language as hover, explain and the reference describe it.
+struct StatementRow {
+    std::string_view word;
+    Support support = Support::executed;
+    std::string_view syntax, snippet, section;
+    Text title;
+};
+
+/// A range of parameter numbers and where it lives.
+struct ParameterRange {
+    std::uint32_t first = 0, last = 0;
+    enum class Scope : std::uint8_t { local, global, user, oem } scope = Scope::global;
+};
+
+/// Number format of a class of words: digits before and after the point.
+struct NumberFormat { int integer_digits = 5; int decimals_mm = 4; int decimals_inch = 5; };
+
+/// Limits of the language (8055 T language sheet 11.4, 12.2).
+struct Limits {
+    int subroutine_levels = 15;
+    int parameter_levels = 6;
+    int misc_per_block = 7;
+    int assignments_per_block = 26;
+    std::uint32_t label = 99999999;
+    std::uint32_t repetitions = 9999;
+    std::uint32_t subroutine = 9999;
+    std::uint32_t oem_subroutine_first = 10000, oem_subroutine_last = 20000;
+    std::size_t text_length = 59;
+    std::size_t block_bytes = 65536;   ///< ours: a longer line is one diagnostic
+};
+
+struct Dialect {
+    std::string_view name;                             ///< "8055"
+    Text title;
+    std::string_view word_order;                       ///< order of addresses in an ISO block: "GXYZUVWABCFSTDM"
+    std::span<const Construct* const> constructs;      ///< by letter, then number
+    std::span<const StatementRow> statements;
+    std::span<const Variable> variables;
+    std::span<const ReservedWord> words;               ///< keywords, functions, relations (variables are added by the scanner)
+    std::span<const ParameterRange> parameters;
+    NumberFormat coordinate{5, 4, 5}, centre{6, 5, 5}, constant{6, 5, 5};
+    Limits limits;
+    program::Modal power_on;
+
+    /// The row of a code; null where the control has none.
+    const Construct* find(char letter, std::uint16_t number) const;
+};
+
+}  // namespace fagorc::control

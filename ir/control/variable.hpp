@@ -1,0 +1,46 @@
+// Rows of a control's table of variables.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "ir/base/axis.hpp"
+#include "ir/base/text.hpp"
+#include "ir/control/construct.hpp"
+
+namespace fagorc::control {
+
+/// Where the value of a variable comes from (8055 T language sheet 13.2).
+enum class Knowledge : std::uint8_t {
+    program,     ///< the program's own state
+    table,       ///< tool, offset, magazine, origin tables
+    machine,     ///< machine parameters
+    overridable, ///< the program's value unless PLC or DNC overrides it
+    live         ///< only the running machine knows
+};
+
+enum class IndexForm : std::uint8_t { none, required, optional, label_and_program };
+
+/// One variable or family. A family by axis has `per_axis`; its names are root + axis letter.
+struct Variable {
+    std::string_view name;
+    bool per_axis = false;
+    IndexForm index = IndexForm::none;
+    std::uint32_t least_index = 0, most_index = 0xffffffff;
+    bool readable = true, writable = false;       ///< from the part program
+    bool stops_preparation = false;
+    Knowledge knowledge = Knowledge::live;
+    Role unit = Role::none;
+    Support support = Support::planned;
+    Text title;
+    std::string_view section;
+};
+
+/// The payload of a variable token.
+constexpr std::uint16_t variable_payload(std::uint16_t row, int axis_or_minus_one) {
+    return static_cast<std::uint16_t>(row * 16 + axis_or_minus_one + 1);
+}
+constexpr std::uint16_t variable_row(std::uint16_t payload) { return payload / 16; }
+constexpr int variable_axis(std::uint16_t payload) { return payload % 16 - 1; }
+
+}  // namespace fagorc::control

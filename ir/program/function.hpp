@@ -1,0 +1,110 @@
+// Functions that a block calls, in neutral terms: what a control word means when its operands have values.
+// Lengths in millimetres, X and all lengths as radii, angles in degrees as programmed; the executor has applied the
+// active unit and the X word mode by the role of each operand. Positions are programmed (part) coordinates.
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "ir/base/axis.hpp"
+#include "ir/operation/cycle.hpp"
+
+namespace fagorc::program {
+
+/// G04: `hundredths` of a second (K1..99999), at the start of its block. K0 or a bare K: stop and take the real
+/// position. No K: stop of block preparation (8055 T 7.1).
+struct Dwell { std::optional<double> hundredths; };
+
+/// G16: plane of the two axes named (8055 T 3.2).
+struct PlaneByAxes { AxisValues axes; };
+
+/// G92: the present position takes the values; or, with S, the highest spindle speed in rpm (8055 T 4.4).
+struct Preset { AxisValues axes; std::optional<double> speed_limit; };
+
+/// G93: polar origin in programmed coordinates of the plane, both or none (none: the present point) (8055 T 4.9).
+struct PolarOrigin { std::optional<double> u, v; };
+
+/// G54..G57, G159: row of the zero-offset table that replaces the absolute offset (8055 T 4.5, 4.7).
+struct AbsoluteOrigin { std::optional<double> row; };
+
+/// G58 G59: row that is added to the absolute offset (8055 T 4.5).
+struct IncrementalOrigin { std::optional<double> row; };
+
+/// G158: incremental offset by values; no axis: cancelled (8055 T 4.6).
+struct OriginShift { AxisValues axes; };
+
+/// G74: home search of the axes in the order written; none: the control's home subroutine (8055 T 4.2).
+struct Home { AxisValues axes; };
+
+/// G53: the words of this block are machine coordinates; without a word the zero offset ends (8055 T 4.3).
+struct MachineCoordinates {};
+
+/// G06: I J K of this arc are absolute (8055 T 6.4).
+struct AbsoluteCentre {};
+/// G08: arc tangent to the path before (8055 T 6.5).
+struct TangentArc {};
+/// G09: arc through the point I J K (8055 T 6.6).
+struct ThreePointArc {};
+
+/// G51: look-ahead; acceleration percent A, contour error E in mm, corner angle B in degrees (8055 T 7.4).
+struct LookAhead { std::optional<double> acceleration, error, corner_angle; };
+
+/// G36 G37 G38 G39: corner with its radius R, mm (8055 T 6.8 - 6.11).
+struct CornerFunction {
+    enum class Kind : std::uint8_t { rounding, entry, exit, chamfer } kind = Kind::rounding;
+    std::optional<double> radius;
+};
+
+/// G41 G42 N: number of blocks searched for collisions (8055 T 8.12).
+struct CompensationSearch { std::optional<double> blocks; };
+
+/// G10..G14: mirrored axes (8055 T 7.5).
+struct Mirror { AxisSet axes; AxisValues named; bool off = false; };
+
+/// G72: general scale S, or one factor an axis (8055 T 7.6).
+struct Scale { std::optional<double> general; AxisValues axes; };
+
+/// G15: C axis, on a cylinder of radius R when given (8055 T 6.15).
+struct RotaryPlane { std::optional<double> radius; };
+
+/// G20 G21 G22: work zone K; limits in machine coordinates, X as a radius; state S (8055 T 3.11).
+struct WorkZone {
+    enum class Kind : std::uint8_t { lower, upper, state } kind = Kind::lower;
+    std::optional<double> zone, state;
+    AxisValues limits;
+};
+
+/// G28 G29 with axes: swapped axes; without: the selected spindle (8055 T 5.3, 7.8).
+struct AxisSwap { bool undo = false; AxisValues axes; };
+
+/// G77 G78 with axes: coupling; with S (`spindle`): spindle synchronisation (8055 T 5.3, 7.7).
+struct Coupling { bool undo = false; bool spindle = false; AxisValues axes; };
+
+/// G30: lag of the synchronised second spindle, degrees (8055 T 5.3).
+struct SpindlePhase { std::optional<double> lag; };
+
+/// G45 G145: tangential control of a rotary axis with its angle; suspended or resumed by K (8055 T 6.18, 6.19).
+struct TangentialControl { AxisValues axis; std::optional<double> resume; bool suspend = false; };
+
+/// G46: inclined axis (8055 T 13).
+struct InclinedAxis { std::optional<double> state; };
+
+/// G52: move to a hard stop (8055 T 6.16).
+struct HardStop { AxisValues axes; };
+
+/// G233: withdrawal of an interrupted thread, distances by axis (8055 T 6.13).
+struct ThreadWithdrawal { AxisValues axes; };
+
+/// G75 G76: probing move (8055 T 10.1).
+struct ProbeMove { bool until_release = false; AxisValues axes; };
+
+using Function =
+    std::variant<std::monostate, Dwell, PlaneByAxes, Preset, PolarOrigin, AbsoluteOrigin, IncrementalOrigin, OriginShift,
+                 Home, MachineCoordinates, AbsoluteCentre, TangentArc, ThreePointArc, LookAhead, CornerFunction,
+                 CompensationSearch, Mirror, Scale, RotaryPlane, WorkZone, AxisSwap, Coupling, SpindlePhase,
+                 TangentialControl, InclinedAxis, HardStop, ThreadWithdrawal, ProbeMove,
+                 // canned cycles, expanded by passes/cycles
+                 operation::ContourRepeat, operation::StockRemoval, operation::Turning, operation::PeckDrilling,
+                 operation::Threading, operation::Grooving, operation::LiveDrilling, operation::Keyway>;
+
+}  // namespace fagorc::program

@@ -1,0 +1,42 @@
+// Executes ISO blocks: modal state, words, functions, motion (8055 T 9.2, order A 4-9 and B 1-4).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "passes/execute/session.hpp"
+
+namespace fagorc::passes {
+
+class IsoRunner {
+  public:
+    explicit IsoRunner(Session& session);
+    ~IsoRunner();
+
+    struct Outcome {
+        bool moved = false;              ///< the block moved an axis: a modal subroutine follows
+        bool program_end = false;        ///< M02 or M30
+        std::optional<std::uint32_t> subroutine;   ///< of an M or T function, or of G74 alone: called without a new level
+    };
+    /// Runs the session's block, whose body is an IsoBlock without codes by parameter.
+    Outcome run(const program::IsoBlock& block);
+
+    /// The general reset of M02, M30 (8055 T 9.1).
+    void reset();
+
+    /// What program-state variables read; the value in active units, X by G151/G152 where `Role` says so.
+    std::optional<double> variable(std::uint16_t row, int axis, std::optional<long> index);
+    /// Events of other statements (MSG, DGWZ ...) at the present place of the path.
+    void push_event(operation::Event event);
+    void push_barrier(operation::Barrier::Why why);
+    /// ESBLK, DSTOP, DFHOLD and their opposites: part of the state of the moves that follow.
+    void enable(program::Enable what);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+    Session& session_;
+};
+
+}  // namespace fagorc::passes

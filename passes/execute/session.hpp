@@ -1,0 +1,55 @@
+// What the parts of the executor share while one program runs.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include "ir/diag/catalogue.hpp"
+#include "passes/execute/execute.hpp"
+#include "passes/execute/parameters.hpp"
+
+namespace fagorc::passes {
+
+/// An unknown value: only `check` computes with it (8055-core 15); it goes through every operation as NaN does.
+inline constexpr double unknown_value = std::numeric_limits<double>::quiet_NaN();
+inline bool is_unknown(double v) { return std::isnan(v); }
+
+/// One execution: what it reads, where it is, where its results go.
+struct Session {
+    const control::Dialect& dialect;
+    machine::Machine machine;              ///< a copy: programs write tool, offset and origin tables
+    program::Library& library;
+    program::LiveValues& live;
+    operation::Tables& tables;
+    EventTexts& texts;
+    diag::Sink& diagnostics;
+    operation::Sink& head;
+    const ExecuteOptions& options;
+    Parameters parameters;
+
+    program::Program* program = nullptr;   ///< of the block being executed
+    const program::Block* block = nullptr;
+    operation::ChainId chain{};
+    std::uint16_t pass = 0;
+    bool failed = false;                   ///< an error was reported: the execution ends
+    bool blocked = false;                  ///< an unknown value was needed: the path ends (its name in `wanted`)
+    std::string wanted;                    ///< the live variable that was asked for last and is unknown
+
+    /// Reports about tokens [first, end) of the block being executed.
+    template <class... Arguments>
+    void report(diag::Id id, std::uint32_t first, std::uint32_t end, Arguments&&... arguments) {
+        if (diag::row(id).severity == diag::Severity::error) failed = true;
+        diagnostics.report(id, program->place(*block, first, end), std::forward<Arguments>(arguments)...);
+    }
+    /// Reports about the whole block.
+    template <class... Arguments>
+    void report_block(diag::Id id, Arguments&&... arguments) {
+        if (diag::row(id).severity == diag::Severity::error) failed = true;
+        diagnostics.report(id, program->place(*block), std::forward<Arguments>(arguments)...);
+    }
+    bool ends() const { return failed || blocked; }
+};
+
+}  // namespace fagorc::passes
