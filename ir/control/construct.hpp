@@ -9,6 +9,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "ir/base/axis.hpp"
 #include "ir/base/text.hpp"
 #include "ir/program/function.hpp"
 #include "ir/program/modal.hpp"
@@ -67,15 +68,26 @@ inline constexpr Slot at = [] {
                     [](const void* f, Axis) { return std::optional<double>(static_cast<const Owner*>(f)->*Member); }};
 }();
 
+/// The slot of a bool member that a letter sets by being there, with or without a value (G77 S).
+template <auto Member>
+inline constexpr Slot named = [] {
+    using Owner = typename detail::member_of<decltype(Member)>::owner;
+    return Slot{[](void* f, Axis, double) { static_cast<Owner*>(f)->*Member = true; },
+                [](const void* f, Axis) {
+                    return static_cast<const Owner*>(f)->*Member ? std::optional<double>(0) : std::nullopt;
+                }};
+}();
+
 /// The address of an operand that stands for all axis letters.
 inline constexpr char any_axis = '*';
 
+/// A word that a construct takes.
 struct Operand {
-    char address = 0;         ///< the letter, or any_axis
+    char address = 0;         ///< the letter, or any_axis; a letter of its own goes before any_axis (B of G51)
     Role role = Role::none;
     Need need = Need::optional;
     Range range;
-    Slot slot;
+    Slot slot;                ///< empty for Takes::motion: the executor's motion reads these words
     Text text;
 };
 
@@ -93,6 +105,7 @@ enum class Company : std::uint8_t {
 /// Which words after the code are its operands.
 enum class Takes : std::uint8_t {
     none,             ///< none: the words belong to the motion, the feed and so on
+    motion,           ///< its operands are words of the motion, in this block and while its group keeps it
     listed,           ///< the words of the block whose letters its table lists
     next,             ///< only the words that follow the code at once (G36 R)
     all,              ///< every word after it; they lose their ordinary meaning (canned cycles)
@@ -103,20 +116,29 @@ enum class Takes : std::uint8_t {
 struct Construct {
     char letter = 'G';
     std::uint16_t number = 0;
-    std::string_view code;            ///< as the manual writes it: "G01", "G77S"
+    std::string_view code{};          ///< as the manual writes it: "G01", "G77S"
     program::Group group = program::Group::none;
     std::uint8_t setting = 0;         ///< value in its group: an enumerator of modal.hpp
     Support support = Support::executed;
     Company company = Company::any;
     Takes takes = Takes::none;
-    std::string_view syntax;          ///< as the manual prints it: "G04 [K1..99999]"
-    std::string_view snippet;         ///< a small valid use
-    std::string_view section;         ///< of the manual: "8055 T 7.1"
-    Text title;
-    std::span<const Operand> operands;
+    std::string_view syntax{};        ///< as the manual prints it: "G04 [K1..99999]"
+    std::string_view snippet{};       ///< a small valid use
+    std::string_view section{};       ///< of the manual: "8055 T 7.1"
+    Text title{};
+    std::span<const Operand> operands{};
     program::Function (*make)() = nullptr;
     void* (*target)(program::Function&) = nullptr;
-    std::string_view motion_letters;  ///< motion codes: letters that the motion itself uses besides axes ("IJKRQ")
+
+    /// The operand of a letter; null where the construct has none.
+    constexpr const Operand* operand(char address) const {
+        for (const Operand& o : operands)
+            if (o.address == address) return &o;
+        if (!axis_of(address)) return nullptr;
+        for (const Operand& o : operands)
+            if (o.address == any_axis) return &o;
+        return nullptr;
+    }
 };
 
 /// Fills `make` and `target` of a row: `.make = makes<program::Dwell>, .target = target_of<program::Dwell>`.
@@ -127,14 +149,17 @@ inline constexpr auto target_of = +[](program::Function& f) -> void* { return &s
 
 /// A missing language, an address twice or a range the wrong way round does not compile.
 consteval bool well_formed(const Construct& c) {
-    if (!c.title.complete() || c.code.empty() || c.syntax.empty() || c.section.empty()) return false;
+    if (!c.title.complete() || c.code.empty() || c.syntax.empty() || c.snippet.empty() || c.section.empty())
+        return false;
     for (std::size_t i = 0; i < c.operands.size(); ++i) {
         const Operand& o = c.operands[i];
-        if (!o.text.complete() || o.range.least > o.range.most || !o.slot.set) return false;
+        if (!o.text.complete() || o.range.least > o.range.most || o.role == Role::none) return false;
+        if ((c.takes == Takes::motion) == (o.slot.set != nullptr)) return false;
         for (std::size_t k = 0; k < i; ++k)
             if (c.operands[k].address == o.address) return false;
     }
-    return c.operands.empty() || (c.make && c.target);
+    if (c.takes == Takes::none || c.takes == Takes::arguments) return c.operands.empty();
+    return c.takes == Takes::motion || (!c.operands.empty() && c.make && c.target);
 }
 
 }  // namespace fagorc::control

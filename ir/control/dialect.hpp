@@ -15,7 +15,7 @@ namespace fagorc::control {
 
 /// A reserved word of the high-level language: its text and the token that it makes.
 struct ReservedWord {
-    std::string_view text;
+    std::string_view text{};
     program::Token token{};
     std::uint16_t payload = 0;
     bool text_follows = false;     ///< the rest of the block up to the closing parenthesis is one text (WRITE)

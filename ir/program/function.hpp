@@ -3,6 +3,7 @@
 // active unit and the X word mode by the role of each operand. Positions are programmed (part) coordinates.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <variant>
 
@@ -98,11 +99,35 @@ struct ThreadWithdrawal { AxisValues axes; };
 /// G75 G76: probing move (8055 T 10.1).
 struct ProbeMove { bool until_release = false; AxisValues axes; };
 
+/// M00 M01: stop until cycle start; `conditional` by a switch (8055 T 5.5).
+struct ProgramStop { bool conditional = false; };
+
+/// M02 M30: end of the program with the general reset (8055 T 5.5).
+struct ProgramEnd {};
+
+/// M03 M04 M05: the selected spindle turns or stops (8055 T 5.5).
+struct SpindleCommand {
+    enum class Turn : std::uint8_t { clockwise, counter_clockwise, stop } turn = Turn::stop;
+};
+
+/// M06: the selected tool goes into the spindle (8055 T 5.4).
+struct ToolChange {};
+
+/// M19: the spindle stops oriented at `angle` degrees from the marker pulse; no angle: at the marker (8055 T 5.5).
+struct OrientedStop { std::optional<double> angle; };
+
+/// M41 .. M44: gear of the spindle (8055 T 5.5).
+struct SpindleGear { int gear = 1; };
+
+/// M45: live tool at `speed` rpm, the sign is the sense; none or 0: stop (8055 T 5.5).
+struct LiveTool { std::optional<double> speed; };
+
 using Function =
     std::variant<std::monostate, Dwell, PlaneByAxes, Preset, PolarOrigin, AbsoluteOrigin, IncrementalOrigin, OriginShift,
                  Home, MachineCoordinates, AbsoluteCentre, TangentArc, ThreePointArc, LookAhead, CornerFunction,
                  CompensationSearch, Mirror, Scale, RotaryPlane, WorkZone, AxisSwap, Coupling, SpindlePhase,
-                 TangentialControl, InclinedAxis, HardStop, ThreadWithdrawal, ProbeMove,
+                 TangentialControl, InclinedAxis, HardStop, ThreadWithdrawal, ProbeMove, ProgramStop, ProgramEnd,
+                 SpindleCommand, ToolChange, OrientedStop, SpindleGear, LiveTool,
                  // canned cycles, expanded by passes/cycles
                  operation::ContourRepeat, operation::StockRemoval, operation::Turning, operation::PeckDrilling,
                  operation::Threading, operation::Grooving, operation::LiveDrilling, operation::Keyway>;

@@ -1,0 +1,20 @@
+// The tables of the Fagor 8055 T. Each returns a table that lives as long as the program.
+#pragma once
+
+#include <span>
+
+#include "ir/control/dialect.hpp"
+
+namespace fagorc::frontend::fagor8055 {
+
+/// The whole control: everything below, with its limits and its power-on state.
+const control::Dialect& dialect();
+
+/// G and M codes, by letter, then number.
+std::span<const control::Construct* const> constructs();
+/// Keywords, functions and relations of the high-level language (language sheet 1.2).
+std::span<const control::ReservedWord> words();
+/// Statements of chapter 12.
+std::span<const control::StatementRow> statements();
+
+}  // namespace fagorc::frontend::fagor8055

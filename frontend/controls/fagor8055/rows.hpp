@@ -1,0 +1,45 @@
+// The constructs of the 8055 T, each defined in the file of its family (g04.cpp, g16_g19.cpp ...).
+#pragma once
+
+#include "ir/control/construct.hpp"
+
+namespace fagorc::frontend::fagor8055 {
+
+using control::any_axis;
+using control::at;
+using control::Company;
+using control::Construct;
+using control::makes;
+using control::named;
+using control::Need;
+using control::Operand;
+using control::Role;
+using control::Support;
+using control::Takes;
+using control::target_of;
+using control::well_formed;
+using program::Group;
+
+/// `setting` of a row: an enumerator of program/modal.hpp.
+template <class E>
+constexpr std::uint8_t setting(E e) {
+    return static_cast<std::uint8_t>(e);
+}
+
+extern const Construct g00, g01, g02, g03;            // path
+extern const Construct g04;                           // dwell, stop of block preparation
+extern const Construct g05, g07, g50, g51;            // corners
+extern const Construct g06, g08, g09;                 // other arcs
+extern const Construct g16, g17, g18, g19;            // planes
+extern const Construct g33;                           // threads
+extern const Construct g40;                           // radius compensation
+extern const Construct g53;                           // machine coordinates
+extern const Construct g54, g55, g56, g57, g58, g59;  // zero offsets
+extern const Construct g158, g159;
+extern const Construct g70, g71, g90, g91, g151, g152;  // how coordinates are written
+extern const Construct g74;                             // home search
+extern const Construct g92, g93;                        // preset, polar origin
+extern const Construct g94, g95, g96, g97;              // feed and speed
+extern const Construct m00, m01, m02, m30, m03, m04, m05, m06, m08, m09, m19, m41, m42, m43, m44, m45;
+
+}  // namespace fagorc::frontend::fagor8055
