@@ -2,15 +2,18 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <type_traits>
 
 #include "ir/base/axis.hpp"
 #include "ir/base/text.hpp"
+#include "ir/diag/id.hpp"
 #include "ir/program/function.hpp"
 #include "ir/program/modal.hpp"
 
@@ -21,10 +24,13 @@ enum class Role : std::uint8_t {
     none,
     coordinate,    ///< a coordinate: active length unit; of X as G151/G152 says; of a rotary axis in degrees
     axis_name,     ///< a bare axis letter that names the axis (G74 X)
-    centre,        ///< I J K of an arc: active unit, always a radius
-    abscissa, ordinate,   ///< a coordinate of the plane's first, second axis under another letter (G93 I J)
-    radius_x,      ///< a length along X that is a radius whatever G151/G152 say
-    length,        ///< a true length: active unit, never a diameter
+    centre,        ///< I J K of an arc, from its start: active unit, always a radius
+    centre_point,  ///< I J K as a coordinate of the axes that the letter serves (G06, G09)
+    abscissa, ordinate,   ///< an absolute coordinate of the plane's first, second axis under any letter (G93 I J, G81 Q)
+    machine_coordinate,   ///< a machine coordinate of the letter's axis, X always a radius (G20)
+    distance,      ///< a signed way along the letter's axis, X a radius: a mirror turns it (G233)
+    distance_u, distance_v,   ///< a signed way along the plane's first, second axis, X a radius: a mirror turns it
+    length,        ///< a true length: active unit, never a diameter; its sign, if any, selects a variant
     lead,          ///< advance of one spindle turn, active unit; not scaled
     angle,         ///< degrees
     feed, speed,   ///< by the active feed and speed mode
@@ -34,7 +40,12 @@ enum class Role : std::uint8_t {
     hundredths     ///< time in 1/100 s
 };
 
-enum class Need : std::uint8_t { required, optional };
+enum class Need : std::uint8_t {
+    required,
+    optional,
+    together,      ///< with the others of this need, or none of them (G93 I J)
+    alternative    ///< exactly one of these; the axis words count as one (G72 S or axes)
+};
 
 /// Allowed values, in the operand's own unit as programmed.
 struct Range {
@@ -42,7 +53,16 @@ struct Range {
     double most = std::numeric_limits<double>::infinity();
     bool above = false;     ///< `least` itself is not allowed
     bool whole = false;     ///< no decimals
+
+    /// True for a value inside, and for NaN, a value that is not known.
+    bool allows(double v) const {
+        if (v > most || (above ? v <= least : v < least)) return false;
+        return !whole || std::isnan(v) || v == std::trunc(v);
+    }
 };
+
+/// The range as a reader sees it: "0 .. 255", "> 0", ">= 0"; empty where every number is allowed.
+std::string to_string(const Range& range);
 
 /// How an operand reaches the member of the neutral function that it fills, and comes back for printing.
 struct Slot {
@@ -86,9 +106,9 @@ struct Operand {
     char address = 0;         ///< the letter, or any_axis; a letter of its own goes before any_axis (B of G51)
     Role role = Role::none;
     Need need = Need::optional;
-    Range range;
-    Slot slot;                ///< empty for Takes::motion: the executor's motion reads these words
-    Text text;
+    Range range{};
+    Slot slot{};              ///< empty for Takes::motion: the executor's motion reads these words
+    Text text{};
 };
 
 enum class Support : std::uint8_t { executed, planned };
@@ -129,6 +149,9 @@ struct Construct {
     std::span<const Operand> operands{};
     program::Function (*make)() = nullptr;
     void* (*target)(program::Function&) = nullptr;
+    std::uint8_t least_axes = 0, most_axes = axis_count;   ///< how many axis words, when it takes any
+    diag::Id misuse = diag::Id::operands_wrong;             ///< operands missing or too many: code, syntax
+    diag::Id out_of_range = diag::Id::operand_out_of_range; ///< an operand's value: letter, code, range
 
     /// The operand of a letter; null where the construct has none.
     constexpr const Operand* operand(char address) const {

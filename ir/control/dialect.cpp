@@ -12,4 +12,10 @@ const Construct* Dialect::find(char letter, std::uint16_t number) const {
     return at != constructs.end() && (*at)->letter == letter && (*at)->number == number ? *at : nullptr;
 }
 
+const SisterCode* Dialect::find_sister(char letter, std::uint16_t number) const {
+    const auto at = std::find_if(sister_codes.begin(), sister_codes.end(),
+                                 [=](const SisterCode& c) { return c.letter == letter && c.number == number; });
+    return at != sister_codes.end() ? &*at : nullptr;
+}
+
 }  // namespace fagorc::control

@@ -52,11 +52,20 @@ struct Limits {
     std::size_t block_bytes = 65536;   ///< ours: a longer line is one diagnostic
 };
 
+/// A code that the sister model of a control has and the control has not (8055 M and 8055 T).
+struct SisterCode {
+    char letter = 'G';
+    std::uint16_t number = 0;
+    Text title;
+};
+
 struct Dialect {
     std::string_view name;                             ///< "8055"
+    std::string_view model, sister_model;              ///< "8055 T", "8055 M"
     Text title;
     std::string_view word_order;                       ///< order of addresses in an ISO block: "GXYZUVWABCFSTDM"
     std::span<const Construct* const> constructs;      ///< by letter, then number
+    std::span<const SisterCode> sister_codes;          ///< named in the diagnostic of an unknown code
     std::span<const StatementRow> statements;
     std::span<const Variable> variables;
     std::span<const ReservedWord> words;               ///< keywords, functions, relations (variables are added by the scanner)
@@ -67,6 +76,8 @@ struct Dialect {
 
     /// The row of a code; null where the control has none.
     const Construct* find(char letter, std::uint16_t number) const;
+    /// The code of the sister model; null where that has none either.
+    const SisterCode* find_sister(char letter, std::uint16_t number) const;
 };
 
 }  // namespace fagorc::control

@@ -16,9 +16,12 @@ constexpr control::ParameterRange parameters[] = {
 const control::Dialect& dialect() {
     static const control::Dialect fagor_8055{
         .name = "8055",
+        .model = "8055 T",
+        .sister_model = "8055 M",
         .title = {"Fagor CNC 8055, model T", "CNC Fagor 8055, modèle T", "CNC Fagor 8055, modelo T"},
         .word_order = "GXYZUVWABCFSTDM",  // 8055 T 5
         .constructs = constructs(),
+        .sister_codes = mill_codes(),
         .statements = statements(),
         .variables = {},
         .words = words(),

@@ -12,6 +12,8 @@ const control::Dialect& dialect();
 
 /// G and M codes, by letter, then number.
 std::span<const control::Construct* const> constructs();
+/// G codes of the mill model that this model has not.
+std::span<const control::SisterCode> mill_codes();
 /// Keywords, functions and relations of the high-level language (language sheet 1.2).
 std::span<const control::ReservedWord> words();
 /// Statements of chapter 12.

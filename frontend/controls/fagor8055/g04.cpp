@@ -7,15 +7,16 @@ namespace fagorc::frontend::fagor8055 {
 namespace {
 
 constexpr Operand operands[] = {
-    {'K',
-     Role::hundredths,
-     Need::optional,
-     {.least = 0, .most = 99999, .whole = true},
-     at<&program::Dwell::hundredths>,
-     {"time in hundredths of a second; 0 or no value: stop of block preparation that takes the real position",
-      "temps en centièmes de seconde ; 0 ou sans valeur : arrêt de la préparation de blocs avec prise de la cote "
-      "réelle",
-      "tiempo en centésimas de segundo; 0 o sin valor: parada de la preparación de bloques y toma de la cota real"}}};
+    {.address = 'K',
+     .role = Role::hundredths,
+     .range = {.least = 0, .most = 99999, .whole = true},
+     .slot = at<&program::Dwell::hundredths>,
+     .text = {
+         "time in hundredths of a second; 0 or no value: stop of block preparation that takes the real position",
+         "temps en centièmes de seconde ; 0 ou sans valeur : arrêt de la préparation de blocs avec prise de la cote "
+         "réelle",
+         "tiempo en centésimas de segundo; 0 o sin valor: parada de la preparación de bloques y toma de la cota "
+         "real"}}};
 
 }  // namespace
 

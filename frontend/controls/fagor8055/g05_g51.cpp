@@ -10,27 +10,26 @@ using program::Corner;
 using program::LookAhead;
 
 constexpr Operand look_ahead_operands[] = {
-    {'A',
-     Role::percent,
-     Need::optional,
-     {.least = 0, .most = 255},
-     at<&LookAhead::acceleration>,
-     {"percentage of the acceleration; 0 or none: the machine parameter's",
-      "pourcentage d'accélération ; 0 ou absent : celle du paramètre machine",
-      "porcentaje de aceleración; 0 o ausente: la del parámetro máquina"}},
-    {'E',
-     Role::length,
-     Need::required,
-     positive,
-     at<&LookAhead::error>,
-     {"contour error allowed", "erreur de contour permise", "error de contorno permitido"}},
-    {'B',
-     Role::angle,
-     Need::optional,
-     {.least = 0, .most = 180},
-     at<&LookAhead::corner_angle>,
-     {"corners below this angle are machined square", "les angles inférieurs à cette valeur s'usinent en arête vive",
-      "los ángulos inferiores a este valor se mecanizan en arista viva"}}};
+    {.address = 'A',
+     .role = Role::percent,
+     .range = {.least = 0, .most = 255},
+     .slot = at<&LookAhead::acceleration>,
+     .text = {"percentage of the acceleration; 0 or none: the machine parameter's",
+              "pourcentage d'accélération ; 0 ou absent : celle du paramètre machine",
+              "porcentaje de aceleración; 0 o ausente: la del parámetro máquina"}},
+    {.address = 'E',
+     .role = Role::length,
+     .need = Need::required,
+     .range = positive,
+     .slot = at<&LookAhead::error>,
+     .text = {"contour error allowed", "erreur de contour permise", "error de contorno permitido"}},
+    {.address = 'B',
+     .role = Role::angle,
+     .range = {.least = 0, .most = 180},
+     .slot = at<&LookAhead::corner_angle>,
+     .text = {"corners below this angle are machined square",
+              "les angles inférieurs à cette valeur s'usinent en arête vive",
+              "los ángulos inferiores a este valor se mecanizan en arista viva"}}};
 
 }  // namespace
 
@@ -74,7 +73,9 @@ constexpr Construct g51{
     .title = {"look-ahead", "anticipation de trajectoire (look-ahead)", "análisis anticipado de bloques (look-ahead)"},
     .operands = look_ahead_operands,
     .make = makes<LookAhead>,
-    .target = target_of<LookAhead>};
+    .target = target_of<LookAhead>,
+    .misuse = diag::Id::look_ahead_operands,
+    .out_of_range = diag::Id::look_ahead_out_of_range};
 
 static_assert(well_formed(g05) && well_formed(g07) && well_formed(g50) && well_formed(g51));
 

@@ -7,27 +7,18 @@ namespace fagorc::frontend::fagor8055 {
 namespace {
 
 constexpr Operand centre_operands[] = {
-    {'I',
-     Role::abscissa,
-     Need::optional,
-     {},
-     {},
-     {"centre along X, U or A, absolute, as a coordinate", "centre suivant X, U ou A, en cote absolue",
-      "centro según X, U o A, en cota absoluta"}},
-    {'J',
-     Role::abscissa,
-     Need::optional,
-     {},
-     {},
-     {"centre along Y, V or B, absolute", "centre suivant Y, V ou B, en cote absolue",
-      "centro según Y, V o B, en cota absoluta"}},
-    {'K',
-     Role::abscissa,
-     Need::optional,
-     {},
-     {},
-     {"centre along Z, W or C, absolute", "centre suivant Z, W ou C, en cote absolue",
-      "centro según Z, W o C, en cota absoluta"}}};
+    {.address = 'I',
+     .role = Role::centre_point,
+     .text = {"centre along X, U or A, absolute, as a coordinate", "centre suivant X, U ou A, en cote absolue",
+              "centro según X, U o A, en cota absoluta"}},
+    {.address = 'J',
+     .role = Role::centre_point,
+     .text = {"centre along Y, V or B, absolute", "centre suivant Y, V ou B, en cote absolue",
+              "centro según Y, V o B, en cota absoluta"}},
+    {.address = 'K',
+     .role = Role::centre_point,
+     .text = {"centre along Z, W or C, absolute", "centre suivant Z, W ou C, en cote absolue",
+              "centro según Z, W o C, en cota absoluta"}}};
 
 constexpr Operand tangent_operands[] = {end_point, polar_radius, polar_angle};
 
@@ -35,25 +26,17 @@ constexpr Operand three_point_operands[] = {
     end_point,
     polar_radius,
     polar_angle,
-    {'I',
-     Role::abscissa,
-     Need::optional,
-     {},
-     {},
-     {"point of the arc along X, U or A, as a coordinate", "point de l'arc suivant X, U ou A, en cote",
-      "punto del arco según X, U o A, en cota"}},
-    {'J',
-     Role::abscissa,
-     Need::optional,
-     {},
-     {},
-     {"point of the arc along Y, V or B", "point de l'arc suivant Y, V ou B", "punto del arco según Y, V o B"}},
-    {'K',
-     Role::abscissa,
-     Need::optional,
-     {},
-     {},
-     {"point of the arc along Z, W or C", "point de l'arc suivant Z, W ou C", "punto del arco según Z, W o C"}}};
+    {.address = 'I',
+     .role = Role::centre_point,
+     .text = {"point of the arc along X, U or A, as a coordinate", "point de l'arc suivant X, U ou A, en cote",
+              "punto del arco según X, U o A, en cota"}},
+    {.address = 'J',
+     .role = Role::centre_point,
+     .text = {"point of the arc along Y, V or B", "point de l'arc suivant Y, V ou B", "punto del arco según Y, V o B"}},
+    {.address = 'K',
+     .role = Role::centre_point,
+     .text = {"point of the arc along Z, W or C", "point de l'arc suivant Z, W ou C",
+              "punto del arco según Z, W o C"}}};
 
 }  // namespace
 

@@ -8,13 +8,12 @@ namespace {
 
 using program::PlaneCode;
 
-constexpr Operand operands[] = {{any_axis,
-                                 Role::axis_name,
-                                 Need::required,
-                                 {},
-                                 at<&program::PlaneByAxes::axes>,
-                                 {"abscissa axis, then ordinate axis", "axe d'abscisses, puis axe d'ordonnées",
-                                  "eje de abscisas y eje de ordenadas"}}};
+constexpr Operand operands[] = {{.address = any_axis,
+                                 .role = Role::axis_name,
+                                 .need = Need::required,
+                                 .slot = at<&program::PlaneByAxes::axes>,
+                                 .text = {"abscissa axis, then ordinate axis", "axe d'abscisses, puis axe d'ordonnées",
+                                          "eje de abscisas y eje de ordenadas"}}};
 
 }  // namespace
 
@@ -30,7 +29,10 @@ constexpr Construct g16{.number = 16,
                         .title = {"plane by two axes", "plan défini par deux axes", "plano definido por dos ejes"},
                         .operands = operands,
                         .make = makes<program::PlaneByAxes>,
-                        .target = target_of<program::PlaneByAxes>};
+                        .target = target_of<program::PlaneByAxes>,
+                        .least_axes = 2,
+                        .most_axes = 2,
+                        .misuse = diag::Id::plane_axes};
 
 constexpr Construct g17{.number = 17,
                         .code = "G17",

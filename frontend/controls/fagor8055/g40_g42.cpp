@@ -10,7 +10,7 @@ constexpr Construct g40{.number = 40,
                         .setting = setting(program::Side::off),
                         .syntax = "G40",
                         .snippet = "G40 X110 Z100",
-                        .section = "8055 T 8.2.7",
+                        .section = "8055 T 8.2.6",
                         .title = {"tool radius compensation off", "annulation de la compensation de rayon d'outil",
                                   "anulación de la compensación de radio de herramienta"}};
 static_assert(well_formed(g40));

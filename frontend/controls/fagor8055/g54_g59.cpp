@@ -1,4 +1,4 @@
-// G54 to G59, G158, G159: zero offsets (8055 T 4.5 to 4.7).
+// G54 to G59, G158, G159: zero offsets (8055 T 4.4.2).
 #include "frontend/controls/fagor8055/operands.hpp"
 #include "frontend/controls/fagor8055/rows.hpp"
 
@@ -20,7 +20,7 @@ constexpr Construct absolute(std::uint16_t number, std::string_view code, Text t
             .company = Company::alone,
             .syntax = code,
             .snippet = code,
-            .section = "8055 T 4.5",
+            .section = "8055 T 4.4.2",
             .title = title,
             .make = make,
             .target = target_of<AbsoluteOrigin>};
@@ -33,27 +33,26 @@ constexpr Construct incremental(std::uint16_t number, std::string_view code, Tex
             .company = Company::alone,
             .syntax = code,
             .snippet = code,
-            .section = "8055 T 4.5",
+            .section = "8055 T 4.4.2",
             .title = title,
             .make = make,
             .target = target_of<IncrementalOrigin>};
 }
 
 constexpr Operand shift_operands[] = {
-    {any_axis,
-     Role::coordinate,
-     Need::optional,
-     {},
-     at<&program::OriginShift::axes>,
-     {"offset of the axis; 0 cancels it", "décalage de l'axe ; 0 l'annule", "decalaje del eje; 0 lo anula"}}};
+    {.address = any_axis,
+     .role = Role::coordinate,
+     .slot = at<&program::OriginShift::axes>,
+     .text = {"offset of the axis; 0 cancels it", "décalage de l'axe ; 0 l'annule", "decalaje del eje; 0 lo anula"}}};
 
-constexpr Operand row_operands[] = {{'N',
-                                     Role::row,
-                                     Need::required,
-                                     {.least = 1, .most = 20, .whole = true},
-                                     at<&AbsoluteOrigin::row>,
-                                     {"row of the zero-offset table", "ligne de la table de décalages d'origine",
-                                      "número de decalaje en la tabla de orígenes"}}};
+constexpr Operand row_operands[] = {
+    {.address = 'N',
+     .role = Role::row,
+     .need = Need::required,
+     .range = {.least = 1, .most = 20, .whole = true},
+     .slot = at<&AbsoluteOrigin::row>,
+     .text = {"row of the zero-offset table", "ligne de la table de décalages d'origine",
+              "número de decalaje en la tabla de orígenes"}}};
 
 }  // namespace
 
@@ -83,7 +82,7 @@ constexpr Construct g158{.number = 158,
                          .takes = Takes::listed,
                          .syntax = "G158 [X..C5.5]",
                          .snippet = "G158 Z-90",
-                         .section = "8055 T 4.6",
+                         .section = "8055 T 4.4.2",
                          .title = {"incremental zero offset by program", "décalage d'origine incrémental programmé",
                                    "decalaje de origen incremental programado"},
                          .operands = shift_operands,
@@ -97,7 +96,7 @@ constexpr Construct g159{.number = 159,
                          .takes = Takes::listed,
                          .syntax = "G159 N1..20",
                          .snippet = "G159 N7",
-                         .section = "8055 T 4.7",
+                         .section = "8055 T 4.4.2",
                          .title = {"absolute zero offset by number", "décalage d'origine absolu par numéro",
                                    "decalaje de origen absoluto por número"},
                          .operands = row_operands,

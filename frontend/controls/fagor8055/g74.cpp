@@ -6,13 +6,11 @@ namespace fagorc::frontend::fagor8055 {
 
 namespace {
 
-constexpr Operand operands[] = {
-    {any_axis,
-     Role::axis_name,
-     Need::optional,
-     {},
-     at<&program::Home::axes>,
-     {"axes, in the order of their search", "axes, dans l'ordre de leur recherche", "ejes, en el orden de búsqueda"}}};
+constexpr Operand operands[] = {{.address = any_axis,
+                                 .role = Role::axis_name,
+                                 .slot = at<&program::Home::axes>,
+                                 .text = {"axes, in the order of their search", "axes, dans l'ordre de leur recherche",
+                                          "ejes, en el orden de búsqueda"}}};
 
 }  // namespace
 

@@ -13,7 +13,7 @@ using control::Role;
 inline constexpr Range positive{.least = 0, .above = true};
 inline constexpr Range not_negative{.least = 0};
 
-/// Words of a motion (8055 T 3.7, 3.8).
+/// Words of a motion (8055 T 3.6).
 inline constexpr Operand end_point{
     control::any_axis, Role::coordinate, Need::optional, {}, {}, {"end point", "point d'arrivée", "punto final"}};
 inline constexpr Operand polar_radius{

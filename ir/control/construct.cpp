@@ -1,0 +1,16 @@
+#include "ir/control/construct.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace fagorc::control {
+
+std::string to_string(const Range& range) {
+    const bool low = std::isfinite(range.least), high = std::isfinite(range.most);
+    if (low && high) return fmt::format("{} .. {}", range.least, range.most);
+    if (low) return fmt::format("{} {}", range.above ? ">" : ">=", range.least);
+    return high ? fmt::format("<= {}", range.most) : std::string();
+}
+
+}  // namespace fagorc::control
