@@ -19,21 +19,27 @@ enum class Knowledge : std::uint8_t {
     live         ///< only the running machine knows
 };
 
-enum class IndexForm : std::uint8_t { none, required, optional, label_and_program };
+enum class IndexForm : std::uint8_t {
+    none,
+    required,
+    optional,            ///< without an index the name is another, read-only value (ORGX: the offset in force)
+    label_and_program    ///< GPOSX N99 P100
+};
 
 /// One variable or family. A family by axis has `per_axis`; its names are root + axis letter.
 struct Variable {
-    std::string_view name;
+    std::string_view name{};
     bool per_axis = false;
     IndexForm index = IndexForm::none;
-    std::uint32_t least_index = 0, most_index = 0xffffffff;
+    std::uint32_t least_index = 0, most_index = 0;
     bool readable = true, writable = false;       ///< from the part program
     bool stops_preparation = false;
+    bool plc_resource = false;                    ///< an index out of range is alarm 1051 instead of 1052
     Knowledge knowledge = Knowledge::live;
     Role unit = Role::none;
     Support support = Support::planned;
-    Text title;
-    std::string_view section;
+    Text title{};
+    std::string_view section{};
 };
 
 /// The payload of a variable token.

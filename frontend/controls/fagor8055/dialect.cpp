@@ -23,7 +23,7 @@ const control::Dialect& dialect() {
         .constructs = constructs(),
         .sister_codes = mill_codes(),
         .statements = statements(),
-        .variables = {},
+        .variables = variables(),
         .words = words(),
         .parameters = parameters,
         .limits = {},     // the defaults are those of this control

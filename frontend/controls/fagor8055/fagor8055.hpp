@@ -16,6 +16,8 @@ std::span<const control::Construct* const> constructs();
 std::span<const control::SisterCode> mill_codes();
 /// Keywords, functions and relations of the high-level language (language sheet 1.2).
 std::span<const control::ReservedWord> words();
+/// Variables, from variables.tsv.
+std::span<const control::Variable> variables();
 /// Statements of chapter 12.
 std::span<const control::StatementRow> statements();
 
