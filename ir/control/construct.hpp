@@ -53,10 +53,12 @@ struct Range {
     double most = std::numeric_limits<double>::infinity();
     bool above = false;     ///< `least` itself is not allowed
     bool whole = false;     ///< no decimals
+    bool not_zero = false;  ///< 0 is not allowed
 
     /// True for a value inside, and for NaN, a value that is not known.
     bool allows(double v) const {
         if (v > most || (above ? v <= least : v < least)) return false;
+        if (not_zero && v == 0) return false;
         return !whole || std::isnan(v) || v == std::trunc(v);
     }
 };

@@ -26,6 +26,8 @@ static_assert(well_formed());
 
 }  // namespace
 
-std::span<const control::Variable> variables() { return table; }
+std::span<const control::Variable> variables() {
+    return table;
+}
 
 }  // namespace fagorc::frontend::fagor8055
