@@ -18,4 +18,10 @@ const SisterCode* Dialect::find_sister(char letter, std::uint16_t number) const 
     return at != sister_codes.end() ? &*at : nullptr;
 }
 
+const StatementRow* Dialect::find_statement(std::string_view word) const {
+    const auto at =
+        std::find_if(statements.begin(), statements.end(), [=](const StatementRow& r) { return r.word == word; });
+    return at != statements.end() ? &*at : nullptr;
+}
+
 }  // namespace fagorc::control

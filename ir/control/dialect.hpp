@@ -21,13 +21,27 @@ struct ReservedWord {
     bool text_follows = false;     ///< the rest of the block up to the closing parenthesis is one text (WRITE)
 };
 
-/// A statement of the high-level language as hover, explain and the reference describe it.
+/// A statement, an operator or an address letter as hover, explain and the reference describe it. What it does stands
+/// in the grammar and the executor.
 struct StatementRow {
-    std::string_view word;
+    std::string_view word{};
     Support support = Support::executed;
-    std::string_view syntax, snippet, section;
-    Text title;
+    std::string_view syntax{}, snippet{}, section{};
+    Text title{};
 };
+
+/// A missing language or an empty field does not compile.
+consteval bool well_formed(const StatementRow& row) {
+    return row.title.complete() && !row.word.empty() && !row.syntax.empty() && !row.snippet.empty() && !row.section.empty();
+}
+consteval bool well_formed(std::span<const StatementRow> rows) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (!well_formed(rows[i])) return false;
+        for (std::size_t k = 0; k < i; ++k)
+            if (rows[k].word == rows[i].word) return false;
+    }
+    return true;
+}
 
 /// A range of parameter numbers and where it lives.
 struct ParameterRange {
@@ -67,6 +81,8 @@ struct Dialect {
     std::span<const Construct* const> constructs;      ///< by letter, then number
     std::span<const SisterCode> sister_codes;          ///< named in the diagnostic of an unknown code
     std::span<const StatementRow> statements;
+    std::span<const StatementRow> operators;           ///< of expressions, functions among them
+    std::span<const StatementRow> addresses;           ///< letters of an ISO block that belong to no code
     std::span<const Variable> variables;
     std::span<const ReservedWord> words;               ///< keywords, functions, relations (variables are added by the scanner)
     std::span<const ParameterRange> parameters;
@@ -78,6 +94,8 @@ struct Dialect {
     const Construct* find(char letter, std::uint16_t number) const;
     /// The code of the sister model; null where that has none either.
     const SisterCode* find_sister(char letter, std::uint16_t number) const;
+    /// The row of a statement's word ("GOTO"); null where the control has none.
+    const StatementRow* find_statement(std::string_view word) const;
 };
 
 }  // namespace fagorc::control

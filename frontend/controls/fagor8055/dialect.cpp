@@ -23,6 +23,8 @@ const control::Dialect& dialect() {
         .constructs = constructs(),
         .sister_codes = mill_codes(),
         .statements = statements(),
+        .operators = operators(),
+        .addresses = addresses(),
         .variables = variables(),
         .words = words(),
         .parameters = parameters,

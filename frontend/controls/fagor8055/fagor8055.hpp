@@ -20,5 +20,9 @@ std::span<const control::ReservedWord> words();
 std::span<const control::Variable> variables();
 /// Statements of chapter 12.
 std::span<const control::StatementRow> statements();
+/// Operators and functions of expressions (8055 T 11.4).
+std::span<const control::StatementRow> operators();
+/// Address letters of an ISO block (8055 T 2.1, 3.6, 5).
+std::span<const control::StatementRow> addresses();
 
 }  // namespace fagorc::frontend::fagor8055
