@@ -7,14 +7,16 @@ Text describe(Role role) {
         case Role::none:
             return {"number", "nombre", "número"};
         case Role::coordinate:
-            return {"coordinate", "cote", "cota"};
+            return {"coordinate, mm or inch; degrees of a rotary axis",
+                    "cote, mm ou pouces ; degrés pour un axe rotatif",
+                    "cota, mm o pulgadas; grados en un eje rotativo"};
         case Role::axis_name:
             return {"axis name", "nom d'axe", "nombre de eje"};
         case Role::centre:
             return {"way to the centre, X as a radius", "distance au centre, X au rayon",
                     "distancia al centro, X en radios"};
         case Role::centre_point:
-            return {"coordinate", "cote", "cota"};
+            return {"coordinate, mm or inch", "cote, mm ou pouces", "cota, mm o pulgadas"};
         case Role::abscissa:
             return {"coordinate of the abscissa axis", "cote de l'axe d'abscisses", "cota del eje de abscisas"};
         case Role::ordinate:
@@ -32,15 +34,15 @@ Text describe(Role role) {
                     "longueur avec signe suivant l'axe d'ordonnées, X au rayon",
                     "longitud con signo según el eje de ordenadas, X en radios"};
         case Role::length:
-            return {"length", "longueur", "longitud"};
+            return {"length, mm or inch", "longueur, mm ou pouces", "longitud, mm o pulgadas"};
         case Role::lead:
-            return {"length a turn", "longueur par tour", "longitud por vuelta"};
+            return {"mm or inch a turn", "mm ou pouces par tour", "mm o pulgadas por vuelta"};
         case Role::angle:
             return {"degrees", "degrés", "grados"};
         case Role::feed:
-            return {"feed", "avance", "avance"};
+            return {"feed, in the active unit", "avance, dans l'unité active", "avance, en la unidad activa"};
         case Role::speed:
-            return {"speed", "vitesse", "velocidad"};
+            return {"speed, in the active unit", "vitesse, dans l'unité active", "velocidad, en la unidad activa"};
         case Role::factor:
             return {"factor", "facteur", "factor"};
         case Role::percent:

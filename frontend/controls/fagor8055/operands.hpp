@@ -1,7 +1,7 @@
 // Operands that many constructs of the 8055 T share.
 #pragma once
 
-#include "ir/control/construct.hpp"
+#include "ir/control/operand.hpp"
 
 namespace fagorc::frontend::fagor8055 {
 

@@ -1,4 +1,4 @@
-#include "ir/control/construct.hpp"
+#include "ir/control/operand.hpp"
 
 #include <fmt/format.h>
 
