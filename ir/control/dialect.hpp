@@ -28,10 +28,13 @@ struct StatementRow {
     Support support = Support::executed;
     std::string_view syntax{}, snippet{}, section{};
     Text title{};
+    std::span<const Operand> operands{};   ///< letters, or '1' '2' ... for those known by their place; without slots
 };
 
 /// A missing language or an empty field does not compile.
 consteval bool well_formed(const StatementRow& row) {
+    for (const Operand& o : row.operands)
+        if (!o.text.complete() || o.range.least > o.range.most || o.slot.set) return false;
     return row.title.complete() && !row.word.empty() && !row.syntax.empty() && !row.snippet.empty() && !row.section.empty();
 }
 consteval bool well_formed(std::span<const StatementRow> rows) {

@@ -63,7 +63,7 @@ struct Writer {
 
     void introduction();
     void construct(const Construct& c);
-    void operands(const Construct& c);
+    void operands(std::span<const control::Operand> list);
     void constructs(char letter, const Text& title);
     void statement(const StatementRow& row);
     void rows(std::span<const StatementRow> rows, const Text& title);
@@ -83,14 +83,14 @@ void Writer::introduction() {
               "se rechaza por su nombre: todavía no se ejecuta."}));
 }
 
-void Writer::operands(const Construct& c) {
-    if (c.operands.empty()) return;
+void Writer::operands(std::span<const control::Operand> list) {
+    if (list.empty()) return;
     table({{"letter", "lettre", "letra"},
            meaning,
            {"value", "valeur", "valor"},
            {"range", "limites", "límites"},
            {"need", "emploi", "uso"}});
-    for (const control::Operand& o : c.operands) {
+    for (const control::Operand& o : list) {
         const std::string letter = o.address == control::any_axis ? "X..C" : std::string(1, o.address);
         write("| `{}` | {} | {} | {} | {} |\n", letter, cell(in(o.text)), in(describe(o.role)), to_string(o.range),
               in(describe(o.need)));
@@ -105,7 +105,7 @@ void Writer::construct(const Construct& c) {
     if (c.company != control::Company::any) write("; {}", in(describe(c.company)));
     if (c.support == Support::planned) write("; *{}*", planned(c.support));
     write("\n");
-    operands(c);
+    operands(c.operands);
     write("\n```\n{}\n```\n", c.snippet);
 }
 
@@ -124,7 +124,9 @@ void Writer::constructs(char letter, const Text& title) {
 void Writer::statement(const StatementRow& row) {
     write("\n### {}{}{}\n\n`{}`\n\n{}", row.word, in(colon), in(row.title), row.syntax, row.section);
     if (row.support == Support::planned) write("; *{}*", planned(row.support));
-    write("\n\n```\n{}\n```\n", row.snippet);
+    write("\n");
+    operands(row.operands);
+    write("\n```\n{}\n```\n", row.snippet);
 }
 
 void Writer::rows(std::span<const StatementRow> list, const Text& title) {

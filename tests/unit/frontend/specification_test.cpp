@@ -81,6 +81,23 @@ TEST(Specification, EachWordOfACycleHasItsOperand) {
     EXPECT_GT(checked, 150);
 }
 
+TEST(Specification, EachWordOfAProbingCycleHasItsOperand) {
+    const auto table = rows({"word"});
+    if (table.empty()) GTEST_SKIP() << "the specification tables are not here";
+    const std::regex word("8055\\.PROBE(\\d)\\.([A-Z])");
+    int checked = 0;
+    for (const auto& row : table) {
+        std::smatch m;
+        if (!std::regex_match(row[0], m, word)) continue;
+        const auto* statement = lathe().find_statement("PROBE " + m[1].str());
+        ASSERT_NE(statement, nullptr) << row[0];
+        const auto named = [&](const control::Operand& o) { return o.address == *m[2].first; };
+        EXPECT_TRUE(std::any_of(statement->operands.begin(), statement->operands.end(), named)) << row[0];
+        ++checked;
+    }
+    EXPECT_GT(checked, 25);
+}
+
 TEST(Specification, EachStatementHasItsRow) {
     const auto table = rows({"statement"});
     if (table.empty()) GTEST_SKIP() << "the specification tables are not here";
