@@ -43,6 +43,7 @@ struct Construct {
     std::string_view code{};          ///< as the manual writes it: "G01", "G77S"
     program::Group group = program::Group::none;
     std::uint8_t setting = 0;         ///< value in its group: an enumerator of modal.hpp
+    bool lasts = false;               ///< modal without being a member of a group (G72, G77)
     Support support = Support::executed;
     Company company = Company::any;
     Takes takes = Takes::none;
@@ -57,6 +58,7 @@ struct Construct {
     diag::Id misuse = diag::Id::operands_wrong;             ///< operands missing or too many: code, syntax
     diag::Id out_of_range = diag::Id::operand_out_of_range; ///< an operand's value: letter, code, range
 
+    constexpr bool modal() const { return lasts || group != program::Group::none; }
     /// The operand of a letter; null where the construct has none.
     constexpr const Operand* operand(char address) const {
         for (const Operand& o : operands)

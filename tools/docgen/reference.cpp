@@ -100,8 +100,9 @@ void Writer::operands(std::span<const control::Operand> list) {
 void Writer::construct(const Construct& c) {
     write("\n### {}{}{}\n\n`{}`\n\n", c.code, in(colon), in(c.title), c.syntax);
     write("{}", c.section);
+    if (c.modal()) write("; {}", in({"modal", "modale", "modal"}));
     if (c.group != program::Group::none)
-        write("; {}{}{}", in({"modal, group", "modale, groupe", "modal, grupo"}), in(colon), in(describe(c.group)));
+        write(", {}{}{}", in({"group", "groupe", "grupo"}), in(colon), in(describe(c.group)));
     if (c.company != control::Company::any) write("; {}", in(describe(c.company)));
     if (c.support == Support::planned) write("; *{}*", planned(c.support));
     write("\n");

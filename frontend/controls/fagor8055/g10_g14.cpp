@@ -24,6 +24,7 @@ constexpr Operand operands[] = {
 constexpr Construct of_axis(std::uint16_t number, std::string_view code, Text title, program::Function (*make)()) {
     return {.number = number,
             .code = code,
+            .lasts = true,
             .support = Support::planned,
             .syntax = code,
             .snippet = code,
@@ -47,6 +48,7 @@ constexpr Construct g13 =
 
 constexpr Construct g14{.number = 14,
                         .code = "G14",
+                        .lasts = true,
                         .support = Support::planned,
                         .company = Company::alone,
                         .takes = Takes::listed,

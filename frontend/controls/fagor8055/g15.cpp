@@ -17,6 +17,7 @@ constexpr Operand operands[] = {{.address = 'R',
 
 constexpr Construct g15{.number = 15,
                         .code = "G15",
+                        .lasts = true,
                         .support = Support::planned,
                         .company = Company::alone,
                         .takes = Takes::listed,

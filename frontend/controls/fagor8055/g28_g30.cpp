@@ -69,6 +69,7 @@ constexpr Construct g29{
 
 constexpr Construct g30{.number = 30,
                         .code = "G30",
+                        .lasts = true,
                         .support = Support::planned,
                         .company = Company::alone_expected,
                         .takes = Takes::listed,

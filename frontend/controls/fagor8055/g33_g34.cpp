@@ -65,6 +65,7 @@ constexpr Construct g34{.number = 34,
 constexpr Construct g233{
     .number = 233,
     .code = "G233",
+    .lasts = true,
     .support = Support::planned,
     .company = Company::alone,
     .takes = Takes::listed,

@@ -26,6 +26,7 @@ constexpr Operand pause_operands[] = {
 
 constexpr Construct g45{.number = 45,
                         .code = "G45",
+                        .lasts = true,
                         .support = Support::planned,
                         .company = Company::alone_expected,
                         .takes = Takes::listed,
@@ -41,6 +42,7 @@ constexpr Construct g45{.number = 45,
 constexpr Construct g145{
     .number = 145,
     .code = "G145",
+    .lasts = true,
     .support = Support::planned,
     .company = Company::alone_expected,
     .takes = Takes::listed,

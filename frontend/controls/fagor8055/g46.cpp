@@ -18,6 +18,7 @@ constexpr Operand operands[] = {
 constexpr Construct g46{
     .number = 46,
     .code = "G46",
+    .lasts = true,
     .support = Support::planned,
     .company = Company::alone_expected,
     .takes = Takes::listed,

@@ -27,6 +27,7 @@ constexpr Operand operands[] = {
 
 constexpr Construct g72{.number = 72,
                         .code = "G72",
+                        .lasts = true,
                         .support = Support::planned,
                         .company = Company::alone,
                         .takes = Takes::listed,

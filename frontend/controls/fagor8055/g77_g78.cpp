@@ -37,6 +37,7 @@ constexpr Operand undo_operands[] = {
 constexpr Construct g77{
     .number = 77,
     .code = "G77",
+    .lasts = true,
     .support = Support::planned,
     .company = Company::alone_expected,
     .takes = Takes::listed,
@@ -55,6 +56,7 @@ constexpr Construct g77{
 constexpr Construct g78{
     .number = 78,
     .code = "G78",
+    .lasts = true,
     .support = Support::planned,
     .company = Company::alone_expected,
     .takes = Takes::listed,

@@ -65,6 +65,23 @@ TEST(Specification, EachCodeHasItsRow) {
     EXPECT_GT(checked, 300);
 }
 
+TEST(Specification, ModalCodesAreModalHere) {
+    const auto table = rows({"G"});
+    if (table.empty()) GTEST_SKIP() << "the specification tables are not here";
+    // G92, G93 and G53 alone set an origin that stays, but the codes themselves act once
+    const std::set<int> act_once{53, 92, 93};
+    const std::regex code("8055\\.(?:annexA\\.)?G(\\d+)");
+    for (const auto& row : table) {
+        std::smatch m;
+        if (row[3] == "-" || !std::regex_match(row[0], m, code)) continue;
+        const auto* construct = lathe().find('G', static_cast<std::uint16_t>(std::stoi(m[1])));
+        ASSERT_NE(construct, nullptr) << row[0];
+        if (act_once.count(construct->number) == 0) {
+            EXPECT_EQ(construct->modal(), row[3] == "yes") << row[0];
+        }
+    }
+}
+
 TEST(Specification, EachWordOfACycleHasItsOperand) {
     const auto table = rows({"word"});
     if (table.empty()) GTEST_SKIP() << "the specification tables are not here";
