@@ -1,5 +1,4 @@
 // G04: dwell and stop of block preparation (8055 T 7.1).
-#include "frontend/controls/fagor8055/operands.hpp"
 #include "frontend/controls/fagor8055/rows.hpp"
 
 namespace fagorc::frontend::fagor8055 {

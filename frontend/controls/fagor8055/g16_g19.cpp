@@ -1,5 +1,4 @@
 // G16 to G19: the active plane (8055 T 3.2).
-#include "frontend/controls/fagor8055/operands.hpp"
 #include "frontend/controls/fagor8055/rows.hpp"
 
 namespace fagorc::frontend::fagor8055 {

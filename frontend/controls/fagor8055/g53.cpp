@@ -1,5 +1,4 @@
 // G53: machine coordinates (8055 T 4.3).
-#include "frontend/controls/fagor8055/operands.hpp"
 #include "frontend/controls/fagor8055/rows.hpp"
 
 namespace fagorc::frontend::fagor8055 {

@@ -1,5 +1,4 @@
 // G54 to G59, G158, G159: zero offsets (8055 T 4.4.2).
-#include "frontend/controls/fagor8055/operands.hpp"
 #include "frontend/controls/fagor8055/rows.hpp"
 
 namespace fagorc::frontend::fagor8055 {

@@ -1,5 +1,4 @@
 // G70 G71, G90 G91, G151 G152: how coordinates are written (8055 T 3.3 to 3.5).
-#include "frontend/controls/fagor8055/operands.hpp"
 #include "frontend/controls/fagor8055/rows.hpp"
 
 namespace fagorc::frontend::fagor8055 {

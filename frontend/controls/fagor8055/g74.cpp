@@ -1,5 +1,4 @@
 // G74: home search (8055 T 4.2).
-#include "frontend/controls/fagor8055/operands.hpp"
 #include "frontend/controls/fagor8055/rows.hpp"
 
 namespace fagorc::frontend::fagor8055 {

@@ -1,5 +1,4 @@
 // G94 to G97: what F and S mean (8055 T 5.2, 5.3).
-#include "frontend/controls/fagor8055/operands.hpp"
 #include "frontend/controls/fagor8055/rows.hpp"
 
 namespace fagorc::frontend::fagor8055 {

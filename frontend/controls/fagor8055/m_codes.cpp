@@ -1,5 +1,4 @@
 // The M functions that have a meaning of their own (8055 T 5.7).
-#include "frontend/controls/fagor8055/operands.hpp"
 #include "frontend/controls/fagor8055/rows.hpp"
 
 namespace fagorc::frontend::fagor8055 {
