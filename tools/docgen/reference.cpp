@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <iterator>
+#include <set>
 
 #include "ir/control/describe.hpp"
 
@@ -112,14 +113,9 @@ void Writer::construct(const Construct& c) {
 
 void Writer::constructs(char letter, const Text& title) {
     heading(title);
-    const Construct* previous = nullptr;
-    for (const Construct* c : dialect.constructs) {
-        if (c->letter != letter) continue;
-        // one entry for a run of codes that share everything but their number (subroutine calls)
-        const bool repeated = previous && previous->takes == control::Takes::arguments && previous->syntax == c->syntax;
-        if (!repeated) construct(*c);
-        previous = c;
-    }
+    std::set<std::string_view> written;  // codes that differ in their number alone (subroutine calls) share an entry
+    for (const Construct* c : dialect.constructs)
+        if (c->letter == letter && written.insert(c->syntax).second) construct(*c);
 }
 
 void Writer::statement(const StatementRow& row) {
