@@ -86,8 +86,6 @@ Text describe(program::Group group) {
             return {"corner", "arête", "arista"};
         case Group::compensation:
             return {"radius compensation", "compensation de rayon", "compensación de radio"};
-        case Group::mirror:
-            return {"mirror image", "image miroir", "imagen espejo"};
         case Group::origin:
             return {"absolute zero offset", "décalage d'origine absolu", "decalaje de origen absoluto"};
         case Group::shift:

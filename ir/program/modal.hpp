@@ -9,7 +9,7 @@ namespace fagorc::program {
 
 /// The modal groups. A G code of a group replaces the setting of its group.
 enum class Group : std::uint8_t {
-    none, motion, plane, distance, unit, diameter, feed, speed, spindle, corner, compensation, mirror,
+    none, motion, plane, distance, unit, diameter, feed, speed, spindle, corner, compensation,
     origin, shift, count_
 };
 
