@@ -25,8 +25,12 @@ class IsoRunner {
     /// The general reset of M02, M30 (8055 T 9.1).
     void reset();
 
+    /// The modal state in force, e.g. the unit in which table variables are read and written.
+    const program::Modal& modal() const;
     /// What program-state variables read; the value in active units, X by G151/G152 where `Role` says so.
     std::optional<double> variable(std::uint16_t row, int axis, std::optional<long> index);
+    /// Writes a program-state variable (HTOR, DIAM); false for one that the runner does not keep.
+    bool assign(std::uint16_t row, int axis, double value);
     /// Events of other statements (MSG, DGWZ ...) at the present place of the path.
     void push_event(operation::Event event);
     void push_barrier(operation::Barrier::Why why);

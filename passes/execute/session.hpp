@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <set>
 #include <string>
+#include <tuple>
 
 #include "ir/diag/catalogue.hpp"
 #include "passes/execute/execute.hpp"
@@ -49,7 +51,15 @@ struct Session {
         if (diag::row(id).severity == diag::Severity::error) failed = true;
         diagnostics.report(id, program->place(*block), std::forward<Arguments>(arguments)...);
     }
+    /// The same for warnings of blocks that may run many times: once a place.
+    template <class... Arguments>
+    void report_once(diag::Id id, std::uint32_t first, std::uint32_t end, Arguments&&... arguments) {
+        if (reported.emplace(program->file(), block->here.offset, first, id).second)
+            report(id, first, end, std::forward<Arguments>(arguments)...);
+    }
     bool ends() const { return failed || blocked; }
+
+    std::set<std::tuple<diag::FileId, std::uint64_t, std::uint32_t, diag::Id>> reported;   ///< by report_once
 };
 
 }  // namespace fagorc::passes
