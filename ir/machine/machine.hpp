@@ -21,6 +21,7 @@ struct AxisData {
     bool rollover = false;
     std::optional<double> min, max;
     double rapid = 10000, max_feed = 10000;
+    double reference = 0;                         ///< machine coordinate of the home point (REFVALUE)
     std::optional<double> acceleration, jerk;     ///< mm/s2, mm/s3
 };
 

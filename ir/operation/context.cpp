@@ -20,7 +20,9 @@ std::size_t StateHash::operator()(const State& s) const {
                            unsigned(s.gear), unsigned(s.tip), unsigned(s.turn),
                            unsigned(s.stop_disabled) * 4 + unsigned(s.feed_hold_disabled) * 2 + unsigned(s.single_block_joined)})
         mix(h, field);
-    for (double field : {s.nose, s.length_x, s.length_z}) mix(h, field);
+    for (double field : {s.nose, s.length_x, s.length_z, s.speed_limit, s.look_ahead.acceleration, s.look_ahead.error,
+                         s.look_ahead.corner_angle})
+        mix(h, field);
     return h;
 }
 

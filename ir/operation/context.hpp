@@ -18,6 +18,14 @@ enum class ChainId : std::uint32_t {};
 
 enum class SpindleTurn : std::uint8_t { stopped, clockwise, counter_clockwise, oriented };
 
+/// How G51 looks ahead (8055 T 7.4); all 0 while the corner mode is another.
+struct LookAhead {
+    double acceleration = 0;         ///< percent; 0 = the machine's
+    double error = 0;                ///< contour error, mm
+    double corner_angle = 0;         ///< corners below it are machined sharp, degrees; 0 = none
+    friend bool operator==(const LookAhead&, const LookAhead&) = default;
+};
+
 /// What stays the same over many moves. Feed and speed stand in each operation's context, since they may change with
 /// every block and would make this table grow.
 struct State {
@@ -30,11 +38,14 @@ struct State {
     bool stop_disabled = false, feed_hold_disabled = false, single_block_joined = false;   ///< DSTOP, DFHOLD, ESBLK
     double nose = 0;                 ///< nose radius of the active offset, mm
     double length_x = 0, length_z = 0;   ///< tool lengths with wear, mm, X as a radius (8055 T 8.1)
+    double speed_limit = 0;          ///< highest spindle speed by program, rpm (G92 S); 0 = none
+    LookAhead look_ahead;
     friend bool operator==(const State&, const State&) = default;
 };
 
 /// Zero offset in force: machine coordinate = part coordinate + offset (mm, X as a radius; degrees for rotary axes).
-/// `machine` marks a G53 block: its points are machine coordinates already, `offset` is what the part zero still is.
+/// `machine` marks a G53 block: its points are machine coordinates of the tool tip already, `offset` is what the part
+/// zero still is.
 struct Frame {
     PerAxis<double> offset{};
     bool machine = false;

@@ -17,10 +17,15 @@ class IsoRunner {
     struct Outcome {
         bool moved = false;              ///< the block moved an axis: a modal subroutine follows
         bool program_end = false;        ///< M02 or M30
-        std::optional<std::uint32_t> subroutine;   ///< of an M or T function, or of G74 alone: called without a new level
+        /// Of an M or T function, or of G74 alone: called without a new level; then `subroutine_ended`.
+        std::optional<std::uint32_t> subroutine;
     };
     /// Runs the session's block, whose body is an IsoBlock without codes by parameter.
     Outcome run(const program::IsoBlock& block);
+
+    /// The subroutine that an outcome asked for has returned: an M function that waits for it is sent now. Until then
+    /// the same function is executed without calling it again (8055 T 5.5).
+    void subroutine_ended();
 
     /// The general reset of M02, M30 (8055 T 9.1).
     void reset();
@@ -38,9 +43,8 @@ class IsoRunner {
     void enable(program::Enable what);
 
   private:
-    struct State;
-    std::unique_ptr<State> state_;
-    Session& session_;
+    struct Control;
+    std::unique_ptr<Control> control_;
 };
 
 }  // namespace fagorc::passes
