@@ -31,14 +31,14 @@ struct Argument {
     std::string plain;
     Text text;
 
-    Argument(Text t) : text(t) {}                    // NOLINT(google-explicit-constructor): arguments read as values
-    Argument(std::string s) : plain(std::move(s)) {}         // NOLINT
-    Argument(std::string_view s) : plain(s) {}               // NOLINT
-    Argument(const char* s) : plain(s) {}                    // NOLINT
-    Argument(char c) : plain(1, c) {}                        // NOLINT
-    Argument(double value);                                  // NOLINT: shortest text that gives the value back
+    Argument(Text t) : text(t) {}                     // NOLINT(google-explicit-constructor): arguments read as values
+    Argument(std::string s) : plain(std::move(s)) {}  // NOLINT
+    Argument(std::string_view s) : plain(s) {}        // NOLINT
+    Argument(const char* s) : plain(s) {}             // NOLINT
+    Argument(char c) : plain(1, c) {}                 // NOLINT
+    Argument(double value);                           // NOLINT: shortest text that gives the value back
     template <std::integral I>
-    Argument(I value) : plain(std::to_string(value)) {}      // NOLINT
+    Argument(I value) : plain(std::to_string(value)) {}  // NOLINT
     std::string_view in(Language l) const { return text.en.empty() ? std::string_view(plain) : text.in(l); }
 };
 

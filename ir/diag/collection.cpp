@@ -1,0 +1,28 @@
+#include "ir/diag/collection.hpp"
+
+namespace fagorc::diag {
+
+std::size_t Once::Hash::operator()(const Key& key) const {
+    std::uint64_t h = key.place.block;
+    for (std::uint64_t part :
+         {std::uint64_t{key.place.line}, std::uint64_t{key.place.column}, std::uint64_t{key.place.end_column},
+          static_cast<std::uint64_t>(key.place.file), static_cast<std::uint64_t>(key.id)})
+        h = (h ^ part) * 0x9e3779b97f4a7c15u ^ (h >> 29);
+    return static_cast<std::size_t>(h);
+}
+
+void Once::report(Diagnostic diagnostic) {
+    const bool full = limit_ != 0 && passed_ >= limit_;
+    const Severity severity = row(diagnostic.id).severity;
+    if (!full && diagnostic.place.file != FileId::none && !seen_.insert(Key{diagnostic.id, diagnostic.place}).second)
+        return;
+    ++counts_.by_severity[static_cast<std::size_t>(severity)];
+    if (full) {
+        ++left_out_;
+        return;
+    }
+    ++passed_;
+    next_.report(std::move(diagnostic));
+}
+
+}  // namespace fagorc::diag

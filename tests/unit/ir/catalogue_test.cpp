@@ -1,0 +1,85 @@
+// The catalogue: look-up, messages with arguments, alarms by axis and zone.
+#include "ir/diag/catalogue.hpp"
+
+#include <gtest/gtest.h>
+
+namespace fagorc::diag {
+namespace {
+
+Diagnostic finding(Id id, std::vector<Argument> arguments = {}) {
+    return {id, {}, std::move(arguments), {}};
+}
+
+TEST(Catalogue, FindsByCodeAndByNameInAnyCase) {
+    EXPECT_EQ(find("F0205"), Id::axis_not_of_machine);
+    EXPECT_EQ(find("f0205"), Id::axis_not_of_machine);
+    EXPECT_EQ(find("axis_not_of_machine"), Id::axis_not_of_machine);
+    EXPECT_EQ(find("F02"), std::nullopt);
+    EXPECT_EQ(find(""), std::nullopt);
+}
+
+TEST(Catalogue, EveryRowIsFoundByItsCode) {
+    for (std::size_t i = 0; i < row_count(); ++i) {
+        const Id id = static_cast<Id>(i);
+        EXPECT_EQ(find(row(id).code), id) << row(id).code;
+        EXPECT_EQ(find(row(id).name), id) << row(id).name;
+    }
+}
+
+TEST(Catalogue, PutsArgumentsWhereTheLanguageWantsThem) {
+    const Diagnostic d = finding(Id::repeat_labels_reversed, {10, 20});
+    EXPECT_EQ(message(d, Language::english), "N20 stands before N10, so there is nothing to repeat");
+    EXPECT_EQ(message(d, Language::french), "N20 se trouve avant N10, il n'y a donc rien à répéter");
+    EXPECT_EQ(message(d, Language::spanish), "N20 está antes de N10, por eso no hay nada que repetir");
+}
+
+TEST(Catalogue, TranslatesArgumentsThatAreTexts) {
+    const Diagnostic d = finding(Id::must_be_alone, {Text{"the stop", "l'arrêt", "la parada"}});
+    EXPECT_EQ(message(d, Language::french), "l'arrêt doit être seul dans son bloc");
+}
+
+TEST(Catalogue, ArgumentsMayHoldBraces) {
+    EXPECT_EQ(message(finding(Id::unknown_word, {"{0}"}), Language::english), "{0} is not a word of this control");
+}
+
+TEST(Catalogue, NumbersAreTheShortestThatGiveTheValueBack) {
+    EXPECT_EQ(Argument(0.1).plain, "0.1");
+    EXPECT_EQ(Argument(-2.0).plain, "-2");
+    EXPECT_EQ(Argument(7u).plain, "7");
+}
+
+TEST(Catalogue, AlarmIsTheControlsOwnNumber) {
+    EXPECT_EQ(alarm(finding(Id::axis_not_of_machine, {'V'}), "8055"), "0046");
+    EXPECT_EQ(alarm(finding(Id::cannot_read, {"a", "b"}), "8055"), "");
+    EXPECT_EQ(alarm(finding(Id::axis_not_of_machine, {'V'}), "another"), "");
+}
+
+// The control numbers its axes X Y Z U V W A B C: 1155 is X, 1157 Z, 1163 C.
+TEST(Catalogue, AxisChoosesInARangeOfAlarms) {
+    const auto of = [](char axis) { return alarm(finding(Id::travel_limit_exceeded, {axis, 1.5, 1.0}), "8055"); };
+    EXPECT_EQ(of('X'), "1155");
+    EXPECT_EQ(of('Z'), "1157");
+    EXPECT_EQ(of('C'), "1163");
+    EXPECT_EQ(of('Q'), "");
+}
+
+// Zones 1 to 4 have alarms of their own, zone 5 has none.
+TEST(Catalogue, ZoneChoosesInAListOfAlarms) {
+    const auto of = [](int zone) { return alarm(finding(Id::forbidden_zone_entered, {zone}), "8055"); };
+    EXPECT_EQ(of(1), "1090");
+    EXPECT_EQ(of(2), "1091");
+    EXPECT_EQ(of(3), "1096");
+    EXPECT_EQ(of(4), "1097");
+    EXPECT_EQ(of(5), "");
+    EXPECT_EQ(of(0), "");
+    EXPECT_EQ(alarm(finding(Id::forbidden_zone_entered), "8055"), "");
+}
+
+TEST(Catalogue, SeveritiesHaveNames) {
+    EXPECT_EQ(to_string(Severity::warning, Language::french), "avertissement");
+    EXPECT_EQ(to_string(Severity::error, Language::spanish), "error");
+    EXPECT_EQ(to_string(Severity::note, Language::english), "note");
+}
+
+}  // namespace
+}  // namespace fagorc::diag
