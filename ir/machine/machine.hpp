@@ -83,6 +83,7 @@ struct Machine {
     bool feed_zero_is_error = false; ///< FEEDTYPE not 0
     bool tool_needs_m06 = false;     ///< TOFFM06
     bool second_spindle = true, live_tool = true, inclined_axis = true, automatic_gears = false;
+    int free_analog_outputs = 4;     ///< ANAO1 .. ANAOn; the others drive axes and spindles
     int m19_type = 1;
     std::array<double, 4> gear_rpm{6000, 6000, 6000, 6000};   ///< MAXGEAR1..4
     std::map<std::string, double, std::less<>> other_parameters;   ///< machine parameters that only variables read

@@ -16,6 +16,8 @@ namespace fagorc::passes {
 struct ExecuteOptions {
     std::uint8_t skip_marks = 0;               ///< bit 0..2: BLKSKIP1..3 are set
     std::uint64_t max_blocks = 1'000'000'000;  ///< fuel: a run that reads more blocks is stopped with a diagnostic
+    /// A run of so many blocks without a move is taken for an endless loop: hours of the control's time.
+    std::uint64_t max_blocks_without_motion = 20'000'000;
     /// `check`: an unknown live value ends the path without an error; false: it is an error that names it.
     bool live_may_be_unknown = false;
     bool decoded_block_cache = true;

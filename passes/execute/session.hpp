@@ -18,6 +18,10 @@ namespace fagorc::passes {
 inline constexpr double unknown_value = std::numeric_limits<double>::quiet_NaN();
 inline bool is_unknown(double v) { return std::isnan(v); }
 
+/// How far a computed number may be from the whole number that it stands for: P(expression), N(expression), indices.
+/// SIN 180 is 1e-16, not 0, in any arithmetic (language sheet 2).
+inline constexpr double index_tolerance = 1e-3;
+
 /// One execution: what it reads, where it is, where its results go.
 struct Session {
     const control::Dialect& dialect;
@@ -37,7 +41,7 @@ struct Session {
     std::uint16_t pass = 0;
     bool failed = false;                   ///< an error was reported: the execution ends
     bool blocked = false;                  ///< an unknown value was needed: the path ends (its name in `wanted`)
-    std::string wanted;                    ///< the live variable that was asked for last and is unknown
+    std::string wanted{};                    ///< the live variable that was asked for last and is unknown
 
     /// Reports about tokens [first, end) of the block being executed.
     template <class... Arguments>
@@ -59,7 +63,7 @@ struct Session {
     }
     bool ends() const { return failed || blocked; }
 
-    std::set<std::tuple<diag::FileId, std::uint64_t, std::uint32_t, diag::Id>> reported;   ///< by report_once
+    std::set<std::tuple<diag::FileId, std::uint64_t, std::uint32_t, diag::Id>> reported{};   ///< by report_once
 };
 
 }  // namespace fagorc::passes

@@ -1,0 +1,242 @@
+#include "passes/execute/expression.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "passes/execute/bits.hpp"
+#include "passes/execute/trigonometry.hpp"
+
+namespace fagorc::passes {
+
+using diag::Id;
+using program::Function1;
+using program::Operator;
+using program::Relation;
+
+template <class... Arguments>
+double Evaluator::fail(const Node& node, Id id, Arguments... arguments) {
+    session_.report(id, node.token, node.token + 1, arguments...);
+    return unknown_value;
+}
+
+/// Finite operands must not become infinite: infinity minus infinity would pass for an unknown value.
+double Evaluator::checked(const Node& node, double result) {
+    return std::isinf(result) ? fail(node, Id::result_not_a_number) : result;
+}
+
+double Evaluator::value(program::Expression expression) {
+    const program::Block& block = *session_.block;
+    std::array<double, program::max_expression_depth> stack;  // NOLINT: written before it is read
+    double* top = stack.data();                               // one above the value on top
+    for (const Node& node : block.shape->run(expression)) {
+        switch (node.op) {
+            case Operator::number:
+                *top++ = block.slots[node.slot].value;
+                break;
+            case Operator::pi:
+                *top++ = std::numbers::pi;
+                break;
+            case Operator::parameter: {
+                const double* cell = parameter(block.slots[node.slot].value, node.token);
+                *top++ = cell ? *cell : unknown_value;
+                break;
+            }
+            case Operator::letter:
+                *top++ = *session_.parameters.find(node.operand);
+                break;
+            case Operator::indirect: {
+                const double* cell = is_unknown(top[-1]) ? nullptr : indirect_cell(top[-1], node.token);
+                top[-1] = cell ? *cell : unknown_value;
+                break;
+            }
+            case Operator::variable:
+                if (node.indexed)
+                    top[-1] = variables_.read(node.operand, top[-1], node.token);
+                else
+                    *top++ = variables_.read(node.operand, {}, node.token);
+                break;
+            case Operator::position:
+                --top;
+                top[-1] = variables_.position(node.operand, top[-1], top[0], node.token);
+                break;
+            case Operator::negate:
+                top[-1] = -top[-1];
+                break;
+            case Operator::add:
+                --top;
+                top[-1] = checked(node, top[-1] + top[0]);
+                break;
+            case Operator::subtract:
+                --top;
+                top[-1] = checked(node, top[-1] - top[0]);
+                break;
+            case Operator::multiply:
+                --top;
+                top[-1] = checked(node, top[-1] * top[0]);
+                break;
+            case Operator::not_:
+                top[-1] = bits::not_(top[-1], node.logical);
+                break;
+            case Operator::function:
+                top[-1] = function(node, top[-1]);
+                break;
+            default:
+                --top;
+                top[-1] = binary(node, top[-1], top[0]);
+                break;
+        }
+        if (session_.failed) return unknown_value;
+    }
+    return top[-1];
+}
+
+double Evaluator::binary(const Node& node, double a, double b) {
+    switch (node.op) {
+        case Operator::divide:
+            return b == 0 ? fail(node, Id::division_by_zero) : checked(node, a / b);
+        case Operator::modulo:  // the sign of the dividend, as a truncated quotient leaves it
+            return b == 0 ? fail(node, Id::division_by_zero) : std::fmod(a, b);
+        case Operator::power:
+            return power(node, a, b);
+        case Operator::compare: {
+            if (is_unknown(a) || is_unknown(b)) return unknown_value;
+            switch (static_cast<Relation>(node.operand)) {
+                case Relation::eq:
+                    return a == b;
+                case Relation::ne:
+                    return a != b;
+                case Relation::gt:
+                    return a > b;
+                case Relation::ge:
+                    return a >= b;
+                case Relation::lt:
+                    return a < b;
+                case Relation::le:
+                    return a <= b;
+            }
+            return unknown_value;
+        }
+        case Operator::and_:
+            return bits::and_(a, b, node.logical);
+        case Operator::or_:
+            return bits::or_(a, b, node.logical);
+        case Operator::xor_:
+            return bits::xor_(a, b, node.logical);
+        case Operator::arg:
+            if (a == 0 && b == 0) return fail(node, Id::result_not_a_number);
+            return is_unknown(a) || is_unknown(b) ? unknown_value : trigonometry::of_point(a, b);
+        default:
+            return unknown_value;
+    }
+}
+
+double Evaluator::power(const Node& node, double base, double exponent) {
+    if (is_unknown(base) || is_unknown(exponent)) return unknown_value;  // pow(NaN, 0) is 1
+    if (base == 0 && exponent <= 0) return fail(node, Id::power_of_zero, exponent);
+    if (base < 0 && exponent != std::trunc(exponent)) return fail(node, Id::power_of_negative, base, exponent);
+    return checked(node, std::pow(base, exponent));
+}
+
+double Evaluator::function(const Node& node, double a) {
+    switch (static_cast<Function1>(node.operand)) {
+        case Function1::sin:
+            return trigonometry::sine(a);
+        case Function1::cos:
+            return trigonometry::cosine(a);
+        case Function1::tan: {
+            const double t = trigonometry::tangent(a);
+            return std::isinf(t) ? fail(node, Id::division_by_zero) : t;
+        }
+        case Function1::asin:
+            return std::abs(a) > 1 ? fail(node, Id::arc_function_range, "ASIN", a) : trigonometry::arc_sine(a);
+        case Function1::acos:
+            return std::abs(a) > 1 ? fail(node, Id::arc_function_range, "ACOS", a) : trigonometry::arc_cosine(a);
+        case Function1::atan:
+            return trigonometry::arc_tangent(a);
+        case Function1::abs:
+            return std::abs(a);
+        case Function1::log:
+            return a <= 0 ? fail(node, Id::logarithm_of_nothing, a) : std::log10(a);
+        case Function1::sqrt:
+            return a < 0 ? fail(node, Id::root_of_negative, a) : std::sqrt(a);
+        case Function1::round:
+            return std::round(a);  // halves away from zero
+        case Function1::fix:
+            return std::trunc(a);
+        case Function1::fup:
+            return std::ceil(a);
+        case Function1::bcd: {
+            const auto packed = bits::bcd(a);
+            return packed ? *packed : fail(node, Id::parameter_value_unfit, "BCD", a);
+        }
+        case Function1::bin:
+            return bits::bin(a);
+    }
+    return unknown_value;
+}
+
+double* Evaluator::parameter(double number, std::uint16_t token) {
+    const auto n = static_cast<std::uint32_t>(number);
+    double* cell = session_.parameters.find(n);
+    if (!cell)
+        session_.report(session_.parameters.is_oem(n) ? Id::oem_parameter : Id::parameter_does_not_exist, token,
+                        token + 1, n);
+    return cell;
+}
+
+double* Evaluator::indirect_cell(double number, std::uint16_t token) {
+    const double whole = std::round(number);
+    if (std::abs(number - whole) <= index_tolerance && whole >= 0 && whole <= 0xffffffff)
+        return parameter(whole, token);
+    session_.report(Id::parameter_does_not_exist, token, token + 1, number);
+    return nullptr;
+}
+
+std::optional<double> Evaluator::known(program::Expression expression) {
+    const double v = value(expression);
+    if (session_.failed) return std::nullopt;
+    if (!is_unknown(v)) return v;
+    session_.blocked = true;
+    return std::nullopt;
+}
+
+std::optional<std::uint32_t> Evaluator::count(program::Expression expression) {
+    const auto v = known(expression);
+    if (!v) return std::nullopt;
+    const double whole = std::round(*v);
+    if (std::abs(*v - whole) <= index_tolerance && whole >= 0 && whole <= 0xffffffff)
+        return static_cast<std::uint32_t>(whole);
+    session_.report(*v < 0 ? Id::negative_not_allowed : Id::decimals_not_allowed, expression.token,
+                    expression.end_token, *v);
+    return std::nullopt;
+}
+
+void Evaluator::assign(const program::Assignment& assignment) {
+    const program::Target& target = assignment.target;
+    const double v = value(assignment.value);
+    if (session_.failed) return;
+    double* cell = nullptr;
+    switch (target.kind) {
+        case program::Target::Kind::parameter:
+            cell = parameter(session_.block->slots[target.slot].value, target.token);
+            break;
+        case program::Target::Kind::letter:
+            cell = session_.parameters.find(target.operand);
+            break;
+        case program::Target::Kind::indirect:
+            if (const auto number = known(target.index)) cell = indirect_cell(*number, target.token);
+            break;
+        case program::Target::Kind::variable: {
+            std::optional<double> index;
+            if (target.index.present()) index = value(target.index);
+            if (!session_.failed) variables_.write(target.operand, index, v, target.token);
+            ++changes;
+            return;
+        }
+    }
+    if (!cell) return;
+    changes += *cell != v;
+    *cell = v;
+}
+
+}  // namespace fagorc::passes

@@ -1,0 +1,50 @@
+// Evaluates expressions and stores assignments (8055 T 11.4, 11.5, 12.1).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "ir/program/statement.hpp"
+#include "passes/execute/session.hpp"
+#include "passes/execute/variables.hpp"
+
+namespace fagorc::passes {
+
+class Evaluator {
+  public:
+    Evaluator(Session& session, Variables& variables) : session_(session), variables_(variables) {}
+
+    /// The value of an expression of the session's block; unknown when an operand is, or after an error (reported at
+    /// the operand; `session.failed`).
+    double value(program::Expression expression);
+    /// A value that the execution cannot go on without: an unknown one blocks the path. Nothing when it ends.
+    std::optional<double> known(program::Expression expression);
+    /// A known number of something, whole within `index_tolerance`, from 0 to 2^32 - 1 (else alarm 0152).
+    std::optional<std::uint32_t> count(program::Expression expression);
+
+    /// Evaluates and stores assignments from left to right, so that chains on one target work (8055 T 12.1).
+    void assign(const program::Assignment& assignment);
+    /// The value of a slot that names a parameter: its cell, or null (reported).
+    double* parameter(double number, std::uint16_t token);
+
+    /// Assignments that changed a value, so far.
+    std::uint64_t changes = 0;
+
+  private:
+    using Node = program::Node;
+    double fail(const Node& node, diag::Id id);
+    template <class... Arguments>
+    double fail(const Node& node, diag::Id id, Arguments... arguments);
+    double binary(const Node& node, double a, double b);
+    double unary(const Node& node, double a);
+    double power(const Node& node, double base, double exponent);
+    double function(const Node& node, double a);
+    double indirect(const Node& node, double number);
+    double checked(const Node& node, double result);
+    double* indirect_cell(double number, std::uint16_t token);
+
+    Session& session_;
+    Variables& variables_;
+};
+
+}  // namespace fagorc::passes
