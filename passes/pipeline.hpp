@@ -29,9 +29,12 @@ struct Environment {
 /// The chain contour -> cycles -> compensation -> axes -> check -> tail.
 class Pipeline {
   public:
+    /// The name for what the executor makes, before any pass.
+    static constexpr std::string_view before_all = "execute";
+
     struct Options {
-        std::string_view stop_after;   ///< a pass's name: its output goes to the tail; empty: all passes
-        bool verify = false;           ///< verifiers between the passes
+        std::string_view stop_after;  ///< a pass's name: its output goes to the tail; `before_all`; empty: all passes
+        bool verify = false;          ///< verifiers between the passes
     };
     Pipeline(const Environment& environment, operation::Sink& tail, const Options& options);
     ~Pipeline();
@@ -40,7 +43,7 @@ class Pipeline {
     static std::vector<std::string_view> names();
 
   private:
-    std::vector<std::unique_ptr<operation::Sink>> stages_;   ///< last first
+    std::vector<std::unique_ptr<operation::Sink>> stages_;  ///< last first
     operation::Sink* head_;
 };
 
