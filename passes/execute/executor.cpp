@@ -157,7 +157,7 @@ const program::IsoBlock* Executor::bind_parameters(const program::Block& block) 
         }
         if (*cell < 0 || *cell > 999 || *cell != std::trunc(*cell)) {
             session_.report(Id::parameter_value_unfit, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i + 3),
-                            "P" + std::to_string(static_cast<std::uint32_t>(slot->value)), *cell);
+                            block.text.substr(tokens[i + 1].at, number.at + number.length - tokens[i + 1].at), *cell);
             return nullptr;
         }
         text.append(block.text, copied, tokens[i + 1].at - copied);
