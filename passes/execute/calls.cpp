@@ -21,6 +21,7 @@ bool Executor::push(Frame frame, program::Program& into, program::Cursor at) {
     }
     frame.begin = at;
     frame.program = session_.program;
+    frame.call = session_.block->here;
     frame.back = next_;
     frame.chain = session_.chain;
     frame.pass = session_.pass;
@@ -43,6 +44,9 @@ void Executor::pop() {
     leave();
     enter(*f.program);
     next_ = f.back;
+    if (!f.of_function) return;
+    session_.block = session_.program->read(f.call);   // the function belongs to the block that called
+    iso_.subroutine_ended();
 }
 
 /// The innermost frame is given up where it stands.
@@ -58,7 +62,6 @@ void Executor::leave() {
     frames_.pop_back();
     const bool section = !frames_.empty() && frames_.back().kind == Frame::Kind::section;
     section_end_ = section ? frames_.back().end : no_section;
-    if (f.of_function) iso_.subroutine_ended();
 }
 
 /// The innermost frame came to its end: once more, or back.
@@ -94,6 +97,7 @@ void Executor::jump_to(program::Cursor target) {
     }
     while (!frames_.empty() && !contains(frames_.back(), target)) {
         session_.report_once(Id::jump_leaves_level, statement_->token, statement_->end_token);
+        if (frames_.back().of_function) iso_.subroutine_ended();
         leave();
     }
     next_ = target;

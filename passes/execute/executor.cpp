@@ -31,6 +31,7 @@ ExecuteResult Executor::run() {
         }
     }
     result_.ended_by_live_value = session_.blocked;
+    if (session_.blocked) session_.report_block(Id::path_ends_at_live_value, session_.wanted);
     root_.check_unread(session_.diagnostics);
     if (result_.completed) session_.head.finish();
     return result_;
@@ -179,7 +180,7 @@ void Executor::end_of_text() {
     while (!frames_.empty() && frames_.back().kind == Frame::Kind::section) leave();
     if (frames_.empty()) {
         session_.diagnostics.report(Id::no_program_end, session_.program->place_of_line(next_.line));
-        iso_.push_event({operation::Event::Kind::program_end, {}, 0, 0});
+        if (session_.block) iso_.push_event({operation::Event::Kind::program_end, {}, 0, 0});
         return complete();
     }
     if (frames_.back().kind == Frame::Kind::program) return end_of_program();

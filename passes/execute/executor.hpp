@@ -35,7 +35,7 @@ struct Frame {
     std::uint64_t end = 0;        ///< section: offset behind its last block
     // What is in force again when it is done:
     program::Program* program = nullptr;
-    program::Cursor back{};
+    program::Cursor call{}, back{};  ///< the block that started it, the one after it
     operation::ChainId chain{};
     std::uint16_t pass = 0;
     std::uint32_t call_parameters = 0;
