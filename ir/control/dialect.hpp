@@ -60,6 +60,7 @@ struct Limits {
     int subroutine_levels = 15;
     int parameter_levels = 6;
     int misc_per_block = 7;
+    std::uint32_t misc = 9999;         ///< highest M
     int assignments_per_block = 26;
     std::uint32_t label = 99999999;
     std::uint32_t repetitions = 9999;

@@ -15,8 +15,8 @@ class IsoRunner {
     ~IsoRunner();
 
     struct Outcome {
-        bool moved = false;              ///< the block moved an axis: a modal subroutine follows
-        bool program_end = false;        ///< M02 or M30
+        bool moved = false;        ///< the block moved an axis: a modal subroutine follows
+        bool program_end = false;  ///< M02 or M30
         /// Of an M or T function, or of G74 alone: called without a new level; then `subroutine_ended`.
         std::optional<std::uint32_t> subroutine;
     };
@@ -24,8 +24,9 @@ class IsoRunner {
     Outcome run(const program::IsoBlock& block);
 
     /// The subroutine that an outcome asked for has returned: an M function that waits for it is sent now. Until then
-    /// the same function is executed without calling it again (8055 T 5.5).
-    void subroutine_ended();
+    /// the same function is executed without calling it again (8055 T 5.5). Answers the next subroutine of the same
+    /// block, if there is one (T and M06 that have one each).
+    std::optional<std::uint32_t> subroutine_ended();
 
     /// The general reset of M02, M30 (8055 T 9.1).
     void reset();
@@ -42,8 +43,10 @@ class IsoRunner {
     /// ESBLK, DSTOP, DFHOLD and their opposites: part of the state of the moves that follow.
     void enable(program::Enable what);
 
-  private:
+    /// What the runner keeps; its parts are in iso_control.hpp, for the runner's own files.
     struct Control;
+
+  private:
     std::unique_ptr<Control> control_;
 };
 

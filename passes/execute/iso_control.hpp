@@ -1,0 +1,241 @@
+// The control as ISO blocks see it: what the runner keeps from block to block, and the steps of a block in the order of
+// 8055 T 9.2. Its members are defined by subject: iso.cpp, iso_words, iso_functions, iso_motion, iso_arc,
+// iso_technology, iso_misc, iso_variables.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "ir/base/arc.hpp"
+#include "passes/execute/iso.hpp"
+#include "passes/execute/zero_offsets.hpp"
+
+namespace fagorc::passes {
+
+/// Where the last path of the plane went, for an arc that continues it (8055 T 6.5).
+struct PathEnd {
+    Point direction;  ///< at its end, of any length but zero
+    Plane plane;
+    std::uint64_t block = 0;  ///< count of the block that moved
+    bool known = false;
+};
+
+/// Polar origin in part coordinates, and the polar coordinates of the last point that was given by them (8055 T 3.8).
+struct PolarFrame {
+    Point origin, at;
+    double radius = 0, angle = 0;
+    bool placed = false;  ///< by G93 or an arc; until then the origin is the part zero, wherever that goes
+};
+
+/// What the functions of the block at hand say about its motion.
+struct BlockForm {
+    enum class Arc : std::uint8_t { by_motion, tangent, three_points } arc = Arc::by_motion;
+    bool absolute_centre = false;                    ///< G06
+    const control::Construct* arc_row = nullptr;     ///< of G06, G08, G09
+    const program::FunctionCall* machine = nullptr;  ///< G53: the coordinates are machine coordinates
+    std::optional<program::Dwell> dwell;
+};
+
+/// The words of a motion in millimetres and degrees.
+struct MotionWords {
+    struct Centre {
+        double value = 0;
+        const program::Word* word = nullptr;
+    };
+    AxisSet axes;                               ///< axes that have a word; `Control::target` holds where they go
+    std::optional<double> radius, angle, lead;  ///< R, Q, L
+    int angles = 0;                             ///< how many Q
+    std::array<Centre, 4> centres;              ///< I J K in the order written
+    std::size_t centre_count = 0;
+    const program::Word* polar = nullptr;  ///< the first R or Q, to be marked
+};
+
+/// How an axis goes to its coordinate (8055 T 3.10).
+enum class AxisWay : std::uint8_t {
+    missing,   ///< the machine does not have it
+    straight,  ///< to the coordinate: linear, or rotary without rollover
+    indexed,   ///< the same for an axis that only positions
+    turning,   ///< rotary with rollover: the sign is the sense of rotation
+    shortest   ///< positioning-only with rollover: the shortest way
+};
+
+struct IsoRunner::Control {
+    explicit Control(Session& session);
+
+    // -- the order of a block (iso.cpp)
+    Outcome run(const program::IsoBlock& block);
+    /// The state after power-on, except position, tool and offsets (8055 T 9.1).
+    void power_on();
+    void reset();
+    std::optional<std::uint32_t> subroutine_ended();
+
+    // -- words and their values (iso_words.cpp)
+    /// The value of a word: of its number or its parameter; 0 with a warning without either.
+    double number(const program::Word& word) {
+        if (word.value.kind == program::WordValue::Kind::number) [[likely]]
+            return session.block->slots[word.value.slot].value;
+        return other_number(word);
+    }
+    double other_number(const program::Word& word);
+    /// A coordinate as written: at most four decimals in millimetres, five in inches, within the control's range.
+    double coordinate_word(const program::Word& word) {
+        const double v = number(word);
+        if (word.value.kind == program::WordValue::Kind::number &&
+            session.block->slots[word.value.slot].decimals > most_decimals) [[unlikely]]
+            return rounded(word, v);
+        if (!(v < word_limit && v > -word_limit)) [[unlikely]]
+            beyond_format(word, v);
+        return v;
+    }
+    double rounded(const program::Word& word, double value);
+    void beyond_format(const program::Word& word, double value);
+    /// From the programmed unit to millimetres, X to a radius, by what the operand is.
+    double converted(control::Role role, Axis axis, double value) const;
+    /// The operand's own range and whole numbers; false: reported.
+    bool allowed(const control::Construct& row, const control::Operand& operand, const program::Word& word,
+                 double value);
+    /// A whole number, not negative (T, D); nothing: reported or unknown.
+    std::optional<std::uint32_t> whole(const program::Word& word);
+    void units_changed();
+
+    // -- codes (iso_functions.cpp)
+    /// Settings and functions of the block; false: reported.
+    bool codes(const program::IsoBlock& block);
+    bool code(const program::FunctionCall& call);
+    void set_group(const control::Construct& row);
+    /// The row of a setting of a modal group; null where the control has no code for it.
+    const control::Construct* row_of(program::Group group, std::uint8_t setting) const;
+    std::optional<program::Function> filled(const program::FunctionCall& call);
+    bool operands_complete(const program::FunctionCall& call);
+    bool act(const program::FunctionCall& call, const program::Function& function);
+    void set_plane(Plane plane);
+    bool preset(const program::FunctionCall& call, const program::Preset& preset);
+    void home(const program::FunctionCall& call, const program::Home& home);
+    void home_subroutine(const program::FunctionCall& call);
+    void dwell(const program::Dwell& dwell);
+    /// Applies a change of the zero offset: nothing moves, so the coordinates of the present point change.
+    void origin_changed(const PerAxis<double>& before);
+
+    // -- motion (iso_motion.cpp, iso_arc.cpp)
+    void move(const program::IsoBlock& block);
+    void plain_line(std::span<const program::Word> words);
+    bool gather(std::span<const program::Word> words, MotionWords& out);
+    const control::Operand* motion_operand(char address, const control::Construct*& row) const;
+    /// Where a word of an axis goes, part coordinates.
+    double destination(Axis axis, double value, const program::Word& word);
+    double rotary_destination(Axis axis, double value, const program::Word& word);
+    bool positioning_rules(const MotionWords& words);
+    void line(const MotionWords& words);
+    void emit_line(Point start, AxisSet moved);
+    std::optional<Point> polar_end(const MotionWords& words);
+    std::optional<Point> angle_end(const MotionWords& words);
+    void thread(const MotionWords& words);
+    bool cutting_allowed();
+    void arc(const MotionWords& words);
+    std::optional<Point> arc_end(const MotionWords& words);
+    bool centre_given(const MotionWords& words, Point& centre, std::optional<double>& pitch);
+    struct ArcForm {
+        Point end, centre;
+        bool ccw = false, full = false;
+        std::optional<double> pitch;
+    };
+    std::optional<ArcForm> programmed_arc(const MotionWords& words);
+    std::optional<ArcForm> polar_arc(const MotionWords& words);
+    std::optional<ArcForm> radius_arc(const MotionWords& words);
+    std::optional<ArcForm> other_arc(const MotionWords& words);
+    bool exact(ArcForm& form);
+    void emit_arc(const ArcForm& form, const MotionWords& words);
+    bool whole_turns(const ArcForm& form);
+
+    // -- F S T D M (iso_technology.cpp, iso_misc.cpp)
+    void set_feed(const program::Word& word);
+    void set_speed(const program::Word& word);
+    bool speed_within_limits(const program::IsoBlock& block);
+    bool change_gear(const program::IsoBlock& block, std::uint8_t gear);
+    const control::Construct* gear_row(int gear) const;
+    double surface_rpm() const;
+    void technology_changed();
+    void tool_words(const program::IsoBlock& block);
+    void select_tool(std::uint16_t number);
+    void select_offset(std::uint16_t number);
+    std::optional<std::uint16_t> offset_of(std::uint16_t tool) const;
+    void misc(const program::IsoBlock& block, bool before);
+    void one_misc(const program::IsoBlock& block, const program::FunctionCall& call, bool before);
+    void misc_by_parameter(const program::IsoBlock& block, const program::Word& word, bool before);
+    bool misc_company(const program::IsoBlock& block, const program::FunctionCall& call);
+    void misc_function(const program::FunctionCall& call);
+    void send_misc(std::uint16_t number);
+    void call_misc_subroutine(std::uint16_t number, const machine::Misc& row);
+    bool in_subroutine_of(std::uint16_t misc) const;
+    bool in_tool_subroutine() const;
+
+    // -- output (iso.cpp)
+    void emit(const operation::What& what) { emit(what, session.block->here.line); }
+    void emit(const operation::What& what, std::uint32_t line);
+    void emit_event(operation::Event::Kind kind, double value);
+    /// Something in the state other than the motion mode has changed.
+    void state_changed() { state_ids.fill(std::nullopt); }
+    operation::StateId state_id();
+    Point plane_point() const { return {now.others[state.modal.plane.u], now.others[state.modal.plane.v]}; }
+    /// The tool's length along an axis: machine reference = tip + length (8055 T 8.1).
+    double tool_length(Axis axis) const {
+        return axis == Axis::X ? state.length_x : axis == Axis::Z ? state.length_z : 0;
+    }
+    void path_ends(Point direction) { path = {direction, state.modal.plane, block_count, true}; }
+    std::string_view code_of_motion() const { return motion_row ? motion_row->code : std::string_view(); }
+
+    Session& session;
+    Outcome outcome;
+
+    // -- modal state
+    operation::State state;
+    std::array<std::optional<operation::StateId>, 6> state_ids;  ///< of `state` by motion mode: G0 and G1 alternate
+    const control::Construct* motion_row = nullptr;              ///< row of the motion mode in force
+    ZeroOffsets offsets;
+    PolarFrame polar;
+    PathEnd path;
+    std::uint64_t block_count = 0;
+
+    // -- position: now.others holds the tip of every axis in part coordinates, also of the plane's
+    operation::Operation now;      ///< the operation to come; fields change in place
+    PerAxis<double> programmed{};  ///< from where increments count (8055 T 3.5)
+    PerAxis<double> target{};      ///< of the words of the block at hand
+
+    // -- F and S by their modes; feeds in mm/min, mm/rev, 1/min, speeds in rpm, m/min
+    std::array<double, 3> feeds{};
+    std::array<std::optional<double>, 2> speeds;
+    bool cutting_checked = false;  ///< F and S suffice for a move at the feed
+    struct NextTool {
+        std::uint16_t tool = 0, offset = 0;
+    };
+    std::optional<NextTool> next_tool;  ///< T that waits for M06
+    double oriented_angle = 0;          ///< of the last M19
+    double live_tool_speed = 0;         ///< of the last M45
+    std::set<std::uint16_t> sent;       ///< M functions without a meaning of their own that were sent (MSn)
+
+    // -- of the block at hand
+    BlockForm form;
+    bool rounding_told = false;
+    /// What has called a subroutine that runs, innermost last; an M is sent at its end where `send` says so.
+    struct Waiting {
+        enum class For : std::uint8_t { misc, tool, home } what = For::misc;
+        std::uint16_t number = 0;
+        bool send = false;
+        std::uint32_t line = 0;  ///< of the block that called it
+    };
+    std::vector<Waiting> waiting;
+    std::optional<std::uint16_t> queued_misc;  ///< its subroutine follows the tool's
+
+    // -- conversion, from the modal state
+    double unit = 1;  ///< mm of a length unit
+    double word_limit = 1e5;
+    std::uint8_t most_decimals = 4;
+    PerAxis<double> scale{};  ///< mm, X as a radius, or degrees of one unit of an axis word
+    PerAxis<AxisWay> way{};
+};
+
+}  // namespace fagorc::passes
