@@ -12,10 +12,10 @@ foreach(line IN LISTS lines)
     string(REPLACE ";" "\\;" fields "${line}")
     string(REPLACE "\t" ";" fields "${fields}")
     list(LENGTH fields count)
-    if(NOT count EQUAL 12)
-        message(FATAL_ERROR "${INPUT}: ${count} fields instead of 12 in: ${line}")
+    if(NOT count EQUAL 13)
+        message(FATAL_ERROR "${INPUT}: ${count} fields instead of 13 in: ${line}")
     endif()
-    list(POP_FRONT fields name axis index access stops knowledge unit support section english french spanish)
+    list(POP_FRONT fields name axis index access stops knowledge unit support initial section english french spanish)
 
     set(least 0)
     set(most 0)
@@ -44,9 +44,12 @@ foreach(line IN LISTS lines)
         set(knowledge live)
         set(plc 1)
     endif()
+    if(initial STREQUAL "-")
+        set(initial "{}")
+    endif()
     string(APPEND rows
         "{\"${name}\", ${axis}, IndexForm::${form}, ${least}, ${most}, ${readable}, ${writable}, ${stops}, ${plc}, "
-        "Knowledge::${knowledge}, Role::${unit}, Support::${support}, "
+        "Knowledge::${knowledge}, Role::${unit}, Support::${support}, ${initial}, "
         "{\"${english}\", \"${french}\", \"${spanish}\"}, \"8055 T ${section}\"},\n")
 endforeach()
 file(WRITE ${OUTPUT} "${rows}")

@@ -36,6 +36,9 @@ class Workspace {
     /// Makes the programs nnnnnn.PIT (or .PIM) of a folder available by number, and all their global subroutines.
     bool add_library(const std::filesystem::path& folder);
 
+    /// Gives a text that is no program (a machine file, a table of the control) a number for `name` and `line_at`.
+    diag::FileId add_text(std::string name, std::string text);
+
     program::Library& library();
     const Statistics& statistics() const;
 

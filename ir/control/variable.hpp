@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "ir/base/axis.hpp"
@@ -38,6 +39,7 @@ struct Variable {
     Knowledge knowledge = Knowledge::live;
     Role unit = Role::none;
     Support support = Support::planned;
+    std::optional<double> initial{};              ///< value before the program writes it, where only the program does
     Text title{};
     std::string_view section{};
 };

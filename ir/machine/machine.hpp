@@ -1,6 +1,7 @@
 // The machine that a program is executed on: axes, tables, power-on state, policies (docs/machine-file.md).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -78,11 +79,17 @@ struct Machine {
     std::map<int, PerAxis<double>> origins;   ///< zero-offset rows 1..20 (G54 = 1 .. G59 = 6), mm, X as a radius
     std::map<std::uint32_t, double> parameters;   ///< start values of P
     std::optional<std::uint32_t> tool_subroutine, home_subroutine;    ///< TOOLSUB, REFPSUB
+    std::array<std::uint32_t, 4> interrupt_subroutines{};             ///< INT1SUB..INT4SUB, 0 = none
     double arc_tolerance = 0.01;     ///< CIRINERR, mm
     bool polar_origin_follows_arcs = false;   ///< PORGMOVE
     bool feed_zero_is_error = false; ///< FEEDTYPE not 0
     bool tool_needs_m06 = false;     ///< TOFFM06
     bool second_spindle = true, live_tool = true, inclined_axis = true, automatic_gears = false;
+    bool compensation_in_all_planes = true;   ///< PLACOMP
+    bool c_axis_kept_after_end = false;       ///< PERCAX
+    double live_tool_max_rpm = 6000;          ///< MAXSPEED of the auxiliary spindle
+    Axis inclined = Axis::X, orthogonal = Axis::Z;   ///< ANGAXNA, ORTAXNA of G46 (8055 T 6.18)
+    double inclined_angle = 30;               ///< degrees from the inclined axis's normal position towards +orthogonal
     int free_analog_outputs = 4;     ///< ANAO1 .. ANAOn; the others drive axes and spindles
     int m19_type = 1;
     std::array<double, 4> gear_rpm{6000, 6000, 6000, 6000};   ///< MAXGEAR1..4

@@ -21,6 +21,7 @@ bool Executor::push(Frame frame, program::Program& into, program::Cursor at) {
     }
     frame.begin = at;
     frame.program = session_.program;
+    frame.call = session_.block->here;
     frame.back = next_;
     frame.chain = session_.chain;
     frame.pass = session_.pass;
@@ -40,14 +41,16 @@ bool Executor::push(Frame frame, program::Program& into, program::Cursor at) {
 /// The innermost frame is done: what it was called from goes on.
 void Executor::pop() {
     const Frame f = frames_.back();
-    const auto following = leave();
+    leave();
     enter(*f.program);
     next_ = f.back;
-    if (following) call_function(*following);
+    if (!f.of_function) return;
+    session_.block = session_.program->read(f.call);   // the function belongs to the block that called
+    if (const auto following = iso_.subroutine_ended()) call_function(*following);
 }
 
-/// The innermost frame is given up where it stands. Answers the subroutine that follows it in the calling block.
-std::optional<std::uint32_t> Executor::leave() {
+/// The innermost frame is given up where it stands.
+void Executor::leave() {
     const Frame f = frames_.back();
     if (f.own_level) session_.parameters.leave();
     variables_.call_parameters = f.call_parameters;
@@ -59,7 +62,6 @@ std::optional<std::uint32_t> Executor::leave() {
     frames_.pop_back();
     const bool section = !frames_.empty() && frames_.back().kind == Frame::Kind::section;
     section_end_ = section ? frames_.back().end : no_section;
-    return f.of_function ? iso_.subroutine_ended() : std::nullopt;
 }
 
 /// The innermost frame came to its end: once more, or back.
@@ -95,6 +97,7 @@ void Executor::jump_to(program::Cursor target) {
     }
     while (!frames_.empty() && !contains(frames_.back(), target)) {
         session_.report_once(Id::jump_leaves_level, statement_->token, statement_->end_token);
+        if (frames_.back().of_function) iso_.subroutine_ended();
         leave();
     }
     next_ = target;

@@ -31,6 +31,7 @@ ExecuteResult Executor::run() {
         }
     }
     result_.ended_by_live_value = session_.blocked;
+    if (session_.blocked) session_.report_block(Id::path_ends_at_live_value, session_.wanted);
     root_.check_unread(session_.diagnostics);
     if (result_.completed) session_.head.finish();
     return result_;
@@ -157,7 +158,7 @@ const program::IsoBlock* Executor::bind_parameters(const program::Block& block) 
         }
         if (*cell < 0 || *cell > 999 || *cell != std::trunc(*cell)) {
             session_.report(Id::parameter_value_unfit, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i + 3),
-                            "P" + std::to_string(static_cast<std::uint32_t>(slot->value)), *cell);
+                            block.text.substr(tokens[i + 1].at, number.at + number.length - tokens[i + 1].at), *cell);
             return nullptr;
         }
         text.append(block.text, copied, tokens[i + 1].at - copied);
@@ -179,7 +180,7 @@ void Executor::end_of_text() {
     while (!frames_.empty() && frames_.back().kind == Frame::Kind::section) leave();
     if (frames_.empty()) {
         session_.diagnostics.report(Id::no_program_end, session_.program->place_of_line(next_.line));
-        iso_.push_event({operation::Event::Kind::program_end, {}, 0, 0});
+        if (session_.block) iso_.push_event({operation::Event::Kind::program_end, {}, 0, 0});
         return complete();
     }
     if (frames_.back().kind == Frame::Kind::program) return end_of_program();

@@ -35,7 +35,7 @@ struct Frame {
     std::uint64_t end = 0;        ///< section: offset behind its last block
     // What is in force again when it is done:
     program::Program* program = nullptr;
-    program::Cursor back{};
+    program::Cursor call{}, back{};  ///< the block that started it, the one after it
     operation::ChainId chain{};
     std::uint16_t pass = 0;
     std::uint32_t call_parameters = 0;
@@ -119,7 +119,7 @@ class Executor {
     void call_modal();
     bool push(Frame frame, program::Program& into, program::Cursor at);
     void pop();
-    std::optional<std::uint32_t> leave();
+    void leave();
     void next_run();
     void jump_to(program::Cursor target);
     bool contains(const Frame& frame, program::Cursor target);

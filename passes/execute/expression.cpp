@@ -19,103 +19,115 @@ double Evaluator::fail(const Node& node, Id id, Arguments... arguments) {
     return unknown_value;
 }
 
-/// Finite operands must not become infinite: infinity minus infinity would pass for an unknown value.
-double Evaluator::checked(const Node& node, double result) {
-    return std::isinf(result) ? fail(node, Id::result_not_a_number) : result;
+namespace {
+
+double compare(Relation relation, double a, double b) {
+    if (is_unknown(a) || is_unknown(b)) return unknown_value;
+    switch (relation) {
+        case Relation::eq:
+            return a == b;
+        case Relation::ne:
+            return a != b;
+        case Relation::gt:
+            return a > b;
+        case Relation::ge:
+            return a >= b;
+        case Relation::lt:
+            return a < b;
+        case Relation::le:
+            return a <= b;
+    }
+    return unknown_value;
 }
+
+/// The whole number that a computed value stands for; nothing when it is too far from one.
+std::optional<std::uint32_t> whole(double value) {
+    if (!(value > -1 && value < 4294967295.0)) return std::nullopt;
+    const auto exact = static_cast<std::uint32_t>(value + 0.5);
+    return std::abs(value - exact) <= index_tolerance ? std::optional(exact) : std::nullopt;
+}
+
+}  // namespace
 
 double Evaluator::value(program::Expression expression) {
     const program::Block& block = *session_.block;
     std::array<double, program::max_expression_depth> stack;  // NOLINT: written before it is read
-    double* top = stack.data();                               // one above the value on top
+    double* below = stack.data();                             // one above the value under the top
+    double top = 0;
     for (const Node& node : block.shape->run(expression)) {
         switch (node.op) {
             case Operator::number:
-                *top++ = block.slots[node.slot].value;
-                break;
-            case Operator::pi:
-                *top++ = std::numbers::pi;
-                break;
+                *below++ = top;
+                top = block.slots[node.slot].value;
+                continue;
             case Operator::parameter: {
                 const double* cell = parameter(block.slots[node.slot].value, node.token);
-                *top++ = cell ? *cell : unknown_value;
-                break;
+                if (!cell) return unknown_value;
+                *below++ = top;
+                top = *cell;
+                continue;
             }
             case Operator::letter:
-                *top++ = *session_.parameters.find(node.operand);
-                break;
-            case Operator::indirect: {
-                const double* cell = is_unknown(top[-1]) ? nullptr : indirect_cell(top[-1], node.token);
-                top[-1] = cell ? *cell : unknown_value;
-                break;
-            }
-            case Operator::variable:
-                if (node.indexed)
-                    top[-1] = variables_.read(node.operand, top[-1], node.token);
-                else
-                    *top++ = variables_.read(node.operand, {}, node.token);
-                break;
-            case Operator::position:
-                --top;
-                top[-1] = variables_.position(node.operand, top[-1], top[0], node.token);
-                break;
+                *below++ = top;
+                top = *session_.parameters.find(node.operand);
+                continue;
+            case Operator::pi:
+                *below++ = top;
+                top = std::numbers::pi;
+                continue;
             case Operator::negate:
-                top[-1] = -top[-1];
-                break;
+                top = -top;
+                continue;
             case Operator::add:
-                --top;
-                top[-1] = checked(node, top[-1] + top[0]);
+                top = *--below + top;
                 break;
             case Operator::subtract:
-                --top;
-                top[-1] = checked(node, top[-1] - top[0]);
+                top = *--below - top;
                 break;
             case Operator::multiply:
-                --top;
-                top[-1] = checked(node, top[-1] * top[0]);
+                top = *--below * top;
                 break;
+            case Operator::compare:
+                top = compare(static_cast<Relation>(node.operand), *--below, top);
+                continue;
             case Operator::not_:
-                top[-1] = bits::not_(top[-1], node.logical);
-                break;
+                top = bits::not_(top, node.logical);
+                continue;
             case Operator::function:
-                top[-1] = function(node, top[-1]);
+                top = function(node, top);
+                break;
+            case Operator::indirect: {
+                const double* cell = is_unknown(top) ? &unknown_value : indirect_cell(top, node.token);
+                if (!cell) return unknown_value;
+                top = *cell;
+                continue;
+            }
+            case Operator::variable:
+                if (!node.indexed) *below++ = top;
+                top = variables_.read(node.operand, node.indexed ? std::optional(top) : std::nullopt, node.token);
+                break;
+            case Operator::position:
+                top = variables_.position(node.operand, *--below, top, node.token);
                 break;
             default:
-                --top;
-                top[-1] = binary(node, top[-1], top[0]);
+                top = binary(node, *--below, top);
                 break;
         }
+        // Finite operands must not become infinite: infinity minus infinity would pass for an unknown value.
+        if (std::isinf(top)) return fail(node, Id::result_not_a_number);
         if (session_.failed) return unknown_value;
     }
-    return top[-1];
+    return top;
 }
 
 double Evaluator::binary(const Node& node, double a, double b) {
     switch (node.op) {
         case Operator::divide:
-            return b == 0 ? fail(node, Id::division_by_zero) : checked(node, a / b);
+            return b == 0 ? fail(node, Id::division_by_zero) : a / b;
         case Operator::modulo:  // the sign of the dividend, as a truncated quotient leaves it
             return b == 0 ? fail(node, Id::division_by_zero) : std::fmod(a, b);
         case Operator::power:
             return power(node, a, b);
-        case Operator::compare: {
-            if (is_unknown(a) || is_unknown(b)) return unknown_value;
-            switch (static_cast<Relation>(node.operand)) {
-                case Relation::eq:
-                    return a == b;
-                case Relation::ne:
-                    return a != b;
-                case Relation::gt:
-                    return a > b;
-                case Relation::ge:
-                    return a >= b;
-                case Relation::lt:
-                    return a < b;
-                case Relation::le:
-                    return a <= b;
-            }
-            return unknown_value;
-        }
         case Operator::and_:
             return bits::and_(a, b, node.logical);
         case Operator::or_:
@@ -134,7 +146,7 @@ double Evaluator::power(const Node& node, double base, double exponent) {
     if (is_unknown(base) || is_unknown(exponent)) return unknown_value;  // pow(NaN, 0) is 1
     if (base == 0 && exponent <= 0) return fail(node, Id::power_of_zero, exponent);
     if (base < 0 && exponent != std::trunc(exponent)) return fail(node, Id::power_of_negative, base, exponent);
-    return checked(node, std::pow(base, exponent));
+    return std::pow(base, exponent);
 }
 
 double Evaluator::function(const Node& node, double a) {
@@ -175,19 +187,14 @@ double Evaluator::function(const Node& node, double a) {
     return unknown_value;
 }
 
-double* Evaluator::parameter(double number, std::uint16_t token) {
-    const auto n = static_cast<std::uint32_t>(number);
-    double* cell = session_.parameters.find(n);
-    if (!cell)
-        session_.report(session_.parameters.is_oem(n) ? Id::oem_parameter : Id::parameter_does_not_exist, token,
-                        token + 1, n);
-    return cell;
+double* Evaluator::missing_parameter(std::uint32_t number, std::uint16_t token) {
+    session_.report(session_.parameters.is_oem(number) ? Id::oem_parameter : Id::parameter_does_not_exist, token,
+                    token + 1, number);
+    return nullptr;
 }
 
 double* Evaluator::indirect_cell(double number, std::uint16_t token) {
-    const double whole = std::round(number);
-    if (std::abs(number - whole) <= index_tolerance && whole >= 0 && whole <= 0xffffffff)
-        return parameter(whole, token);
+    if (const auto n = whole(number)) return parameter(*n, token);
     session_.report(Id::parameter_does_not_exist, token, token + 1, number);
     return nullptr;
 }
@@ -203,9 +210,7 @@ std::optional<double> Evaluator::known(program::Expression expression) {
 std::optional<std::uint32_t> Evaluator::count(program::Expression expression) {
     const auto v = known(expression);
     if (!v) return std::nullopt;
-    const double whole = std::round(*v);
-    if (std::abs(*v - whole) <= index_tolerance && whole >= 0 && whole <= 0xffffffff)
-        return static_cast<std::uint32_t>(whole);
+    if (const auto n = whole(*v)) return n;
     session_.report(*v < 0 ? Id::negative_not_allowed : Id::decimals_not_allowed, expression.token,
                     expression.end_token, *v);
     return std::nullopt;

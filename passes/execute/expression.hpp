@@ -24,23 +24,23 @@ class Evaluator {
 
     /// Evaluates and stores assignments from left to right, so that chains on one target work (8055 T 12.1).
     void assign(const program::Assignment& assignment);
-    /// The value of a slot that names a parameter: its cell, or null (reported).
-    double* parameter(double number, std::uint16_t token);
+    /// The cell of the parameter that a slot names, or null (reported).
+    double* parameter(double number, std::uint16_t token) {
+        double* cell = session_.parameters.find(static_cast<std::uint32_t>(number));
+        return cell ? cell : missing_parameter(static_cast<std::uint32_t>(number), token);
+    }
 
     /// Assignments that changed a value, so far.
     std::uint64_t changes = 0;
 
   private:
     using Node = program::Node;
-    double fail(const Node& node, diag::Id id);
     template <class... Arguments>
     double fail(const Node& node, diag::Id id, Arguments... arguments);
     double binary(const Node& node, double a, double b);
-    double unary(const Node& node, double a);
     double power(const Node& node, double base, double exponent);
     double function(const Node& node, double a);
-    double indirect(const Node& node, double number);
-    double checked(const Node& node, double result);
+    double* missing_parameter(std::uint32_t number, std::uint16_t token);
     double* indirect_cell(double number, std::uint16_t token);
 
     Session& session_;

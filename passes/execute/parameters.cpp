@@ -1,17 +1,19 @@
 #include "passes/execute/parameters.hpp"
 
+#include <algorithm>
+
 namespace fagorc::passes {
 
 Parameters::Parameters(const control::Dialect& dialect, const std::map<std::uint32_t, double>& start)
     : most_levels_(static_cast<std::size_t>(dialect.limits.parameter_levels) + 1) {
-    std::uint32_t offset = 0;
-    for (const control::ParameterRange& r : dialect.parameters) {
-        if (r.scope == control::ParameterRange::Scope::local) continue;
-        const std::uint32_t size = r.last - r.first + 1;
-        ranges_.push_back({r.first, size, offset, r.scope == control::ParameterRange::Scope::oem});
-        offset += size;
-    }
-    globals_.assign(offset, 0);
+    using Scope = control::ParameterRange::Scope;
+    std::size_t size = 0;
+    for (const control::ParameterRange& r : dialect.parameters) size = std::max<std::size_t>(size, r.last + 1);
+    cells_.assign(size, 0);
+    access_.assign(size, Access::none);
+    for (const control::ParameterRange& r : dialect.parameters)
+        std::fill(access_.begin() + r.first, access_.begin() + r.last + 1,
+                  r.scope == Scope::oem ? Access::oem : Access::open);
     levels_.reserve(most_levels_);
     levels_.emplace_back();
     local_ = levels_.back().data();
@@ -19,12 +21,6 @@ Parameters::Parameters(const control::Dialect& dialect, const std::map<std::uint
     for (const auto& [number, value] : start)
         if (double* cell = find(number)) *cell = value;
     oem_allowed = false;
-}
-
-bool Parameters::is_oem(std::uint32_t number) const {
-    for (const Range& r : ranges_)
-        if (number - r.first < r.size) return r.oem;
-    return false;
 }
 
 bool Parameters::enter() {

@@ -19,32 +19,28 @@ class Parameters {
     /// A cell keeps its address until a level begins or ends.
     double* find(std::uint32_t number) {
         if (number < local_count) return &local_[number];
-        for (const Range& r : ranges_)
-            if (number - r.first < r.size)
-                return r.oem && !oem_allowed ? nullptr : &globals_[r.offset + number - r.first];
-        return nullptr;
+        if (number >= cells_.size()) return nullptr;
+        const Access access = access_[number];
+        return access == Access::open || (access == Access::oem && oem_allowed) ? &cells_[number] : nullptr;
     }
     static constexpr std::uint32_t local_count = 26;
     /// The program being executed has the attribute O.
     bool oem_allowed = false;
     /// True when `number` exists and only the attribute O is missing.
-    bool is_oem(std::uint32_t number) const;
+    bool is_oem(std::uint32_t number) const { return number < access_.size() && access_[number] == Access::oem; }
 
     /// A new level of local parameters, all 0; false when the control's levels are used up (alarm 1054).
     bool enter();
     void leave();
 
   private:
-    struct Range {
-        std::uint32_t first = 0, size = 0, offset = 0;  ///< offset: into globals_
-        bool oem = false;
-    };
+    enum class Access : std::uint8_t { none, open, oem };
     using Level = std::array<double, local_count>;
     std::size_t most_levels_;
-    std::vector<Range> ranges_;
-    std::vector<Level> levels_;    ///< reserved: a level never moves
-    double* local_;                ///< of the level in force
-    std::vector<double> globals_;  ///< all non-local ranges, one after the other
+    std::vector<Level> levels_;   ///< reserved: a level never moves
+    double* local_;               ///< of the level in force
+    std::vector<double> cells_;   ///< by number, gaps between the ranges included: looking up is one step
+    std::vector<Access> access_;  ///< by number
 };
 
 }  // namespace fagorc::passes

@@ -132,8 +132,8 @@ double Variables::read(std::uint16_t payload, std::optional<double> index, std::
         case Knowledge::overridable:
             break;
     }
-    const auto value = iso_.variable(control::variable_row(payload), a->axis, a->index);
-    return value ? *value : unsupported(*a, token);
+    if (const auto value = iso_.variable(control::variable_row(payload), a->axis, a->index)) return *value;
+    return a->row->initial ? *a->row->initial : unsupported(*a, token);
 }
 
 bool Variables::fits(const Access& a, double value, std::uint16_t token) {

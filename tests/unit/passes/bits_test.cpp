@@ -12,9 +12,9 @@ TEST(Bits, BinaryOperatorsAreUnsigned32) {
     EXPECT_EQ(and_(12, 10, false), 8);
     EXPECT_EQ(or_(12, 3, false), 15);
     EXPECT_EQ(xor_(12, 10, false), 6);
-    EXPECT_EQ(not_(10, false), 4294967285.0);                // 2^32 - 11
-    EXPECT_EQ(and_(-1, 4294967294.0, false), 4294967294.0);  // -1 is $FFFFFFFF
-    EXPECT_EQ(or_(5.9, 0, false), 5);                        // a fraction is cut off
+    EXPECT_EQ(not_(10, false), 4294967285.0);                  // 2^32 - 11
+    EXPECT_EQ(and_(-1, 4294967294.0, false), 4294967294.0);    // -1 is $FFFFFFFF
+    EXPECT_EQ(or_(5.9, 0, false), 5);                          // a fraction is cut off
 }
 
 TEST(Bits, ConditionsAreLogical) {
@@ -36,10 +36,10 @@ TEST(Bits, AnUnknownOperandIsUnknownUnlessTheOtherDecides) {
 }
 
 TEST(Bits, BcdPacksDigitsAndBinUnpacksThem) {
-    EXPECT_EQ(bcd(234), 564);  // 8055 T 11.4: BCD 234 = $234 = 564
-    EXPECT_EQ(bin(171), 171);  // 8055 T 11.4: BIN $AB = 171
+    EXPECT_EQ(bcd(234), 564);              // 8055 T 11.4: BCD 234 = $234 = 564
+    EXPECT_EQ(bin(171), 171);              // 8055 T 11.4: BIN $AB = 171
     EXPECT_EQ(bin(564), 234);
-    EXPECT_EQ(bcd(99999999), 2576980377.0);  // $99999999
+    EXPECT_EQ(bcd(99999999), 2576980377.0);   // $99999999
     EXPECT_EQ(bcd(100000000), std::nullopt);
     EXPECT_EQ(bcd(-1), std::nullopt);
 }

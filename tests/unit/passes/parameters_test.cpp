@@ -47,7 +47,7 @@ TEST(Parameters, ALevelStartsAtZeroAndGivesTheCallersBack) {
         *p.find(3) = level;
         EXPECT_EQ(*p.find(100), 1.5);
     }
-    EXPECT_FALSE(p.enter());  // 6 levels besides that of the main program
+    EXPECT_FALSE(p.enter());   // 6 levels besides that of the main program
     for (int level = 6; level >= 1; --level) {
         EXPECT_EQ(*p.find(3), level);
         p.leave();
@@ -59,14 +59,14 @@ TEST(LoopWatch, SeesTheSameJumpWithNothingChanged) {
     LoopWatch w;
     const auto file = static_cast<diag::FileId>(0);
     EXPECT_FALSE(w.endless(file, 10, 1));
-    EXPECT_FALSE(w.endless(file, 10, 2));  // something changed
+    EXPECT_FALSE(w.endless(file, 10, 2));   // something changed
     EXPECT_TRUE(w.endless(file, 10, 2));
 }
 
 TEST(LoopWatch, SeesALoopOfSeveralJumpsBehindOthers) {
     LoopWatch w;
     const auto file = static_cast<diag::FileId>(0);
-    EXPECT_FALSE(w.endless(file, 500, 0));  // the way into the loop, never taken again
+    EXPECT_FALSE(w.endless(file, 500, 0));   // the way into the loop, never taken again
     int jumps = 0;
     for (bool found = false; !found; ++jumps) found = w.endless(file, 10 + 10 * (jumps % 3), 0);
     EXPECT_LE(jumps, 10);

@@ -37,9 +37,7 @@ TEST(WrittenBlock, KeepsTheParameterBehindADollarAndAnAxis) {
     EXPECT_EQ(written_block("$3000", value), "$3000");
 }
 
-TEST(WrittenBlock, HasNoTextWithoutTheValue) {
-    EXPECT_EQ(written_block("XP7", value), std::nullopt);
-}
+TEST(WrittenBlock, HasNoTextWithoutTheValue) { EXPECT_EQ(written_block("XP7", value), std::nullopt); }
 
 TEST(MarkedValues, ReplaceTheMarkedParametersOfAMessage) {
     EXPECT_EQ(with_marked_values("SELECT T?P103", value), "SELECT T222");

@@ -43,9 +43,9 @@ TEST(Trigonometry, TangentIsOneAt45AndInfiniteAt90) {
 }
 
 TEST(Trigonometry, ArcFunctionsGiveTheKnownAngles) {
-    EXPECT_EQ(arc_sine(1), 90);     // 8055 T 11.4
-    EXPECT_EQ(arc_cosine(1), 0);    // 8055 T 11.4
-    EXPECT_EQ(arc_tangent(1), 45);  // 8055 T 11.4
+    EXPECT_EQ(arc_sine(1), 90);      // 8055 T 11.4
+    EXPECT_EQ(arc_cosine(1), 0);     // 8055 T 11.4
+    EXPECT_EQ(arc_tangent(1), 45);   // 8055 T 11.4
     EXPECT_EQ(arc_sine(0.5), 30);
     EXPECT_EQ(arc_cosine(0.5), 60);
     EXPECT_EQ(arc_cosine(-1), 180);
@@ -55,7 +55,7 @@ TEST(Trigonometry, ArcFunctionsGiveTheKnownAngles) {
 }
 
 TEST(Trigonometry, AngleOfAPointIsFrom0To360) {
-    EXPECT_NEAR(of_point(-1, -2), 243.43494882292201, 1e-12);  // 8055 T 11.4: ARG(-1,-2) = 243.4349
+    EXPECT_NEAR(of_point(-1, -2), 243.43494882292201, 1e-12);   // 8055 T 11.4: ARG(-1,-2) = 243.4349
     EXPECT_EQ(of_point(5, 0), 0);
     EXPECT_EQ(of_point(0, 3), 90);
     EXPECT_EQ(of_point(-5, 0), 180);
