@@ -38,6 +38,7 @@ ExecuteResult Executor::run() {
 }
 
 bool Executor::begin() {
+    refuel();
     enter(root_);
     session_.chain = session_.tables.chains.intern({root_.file(), {}, 0});
     if (!root_.header().executable) {
@@ -67,20 +68,24 @@ bool Executor::holds_only_subroutines() {
 
 void Executor::enter(program::Program& program) {
     session_.program = &program;
-    session_.parameters.oem_allowed = program.header().oem;
+    session_.parameters.allow_oem(program.header().oem);
 }
 
+/// The next block may run.
 bool Executor::fuel() {
-    ++result_.blocks;
-    if (result_.blocks > session_.options.max_blocks) {
-        session_.report_block(Id::fuel_used_up, session_.options.max_blocks);
-        return false;
-    }
-    if (result_.blocks - last_motion_ > session_.options.max_blocks_without_motion) {
-        session_.report_block(Id::no_motion_in_sight, session_.options.max_blocks_without_motion);
-        return false;
-    }
-    return true;
+    if (++result_.blocks <= fuel_) return true;
+    const ExecuteOptions& o = session_.options;
+    if (result_.blocks > o.max_blocks)
+        session_.report_block(Id::fuel_used_up, o.max_blocks);
+    else
+        session_.report_block(Id::no_motion_in_sight, o.max_blocks_without_motion);
+    return false;
+}
+
+/// A move was made: the program gets somewhere.
+void Executor::refuel() {
+    const ExecuteOptions& o = session_.options;
+    fuel_ = std::min(o.max_blocks, result_.blocks + o.max_blocks_without_motion);
 }
 
 void Executor::step(const program::Block& block) {
@@ -133,7 +138,7 @@ void Executor::iso_block(const program::Block& block) {
 
     const IsoRunner::Outcome outcome = iso_.run(*iso);
     if (session_.ends()) return;
-    if (outcome.moved) last_motion_ = result_.blocks;
+    if (outcome.moved) refuel();
     if (outcome.program_end) return end_of_program();
     if (outcome.subroutine) return call_function(*outcome.subroutine);
     if (outcome.moved && modal_ && !modal_rests()) call_modal();

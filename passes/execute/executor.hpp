@@ -31,7 +31,7 @@ struct Frame {
     bool of_function = false;     ///< of an M or T function, or of G74
     std::uint32_t number = 0;     ///< of the subroutine
     std::uint32_t more_runs = 0;  ///< after the present one
-    program::Cursor begin{};        ///< first block of each run
+    program::Cursor begin{};      ///< first block of each run
     std::uint64_t end = 0;        ///< section: offset behind its last block
     // What is in force again when it is done:
     program::Program* program = nullptr;
@@ -75,6 +75,7 @@ class Executor {
     void end_of_program();
     void complete();
     bool fuel();
+    void refuel();
     bool repeats(const program::Statement& statement) const;
     std::uint32_t runs() const;
 
@@ -141,7 +142,7 @@ class Executor {
     std::optional<ModalCall> modal_;
     int modal_depth_ = 0, executed_programs_ = 0;
     std::uint64_t frame_changes_ = 0;
-    std::uint64_t last_motion_ = 0;  ///< number of the block that moved last
+    std::uint64_t fuel_ = 0;  ///< highest number of blocks so far
     bool ended_ = false;
     ExecuteResult result_;
     std::unordered_map<std::string, std::uint32_t> text_ids_;

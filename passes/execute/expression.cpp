@@ -71,13 +71,6 @@ double Evaluator::value(program::Expression expression) {
                 *below++ = top;
                 top = *session_.parameters.find(node.operand);
                 continue;
-            case Operator::pi:
-                *below++ = top;
-                top = std::numbers::pi;
-                continue;
-            case Operator::negate:
-                top = -top;
-                continue;
             case Operator::add:
                 top = *--below + top;
                 break;
@@ -90,34 +83,44 @@ double Evaluator::value(program::Expression expression) {
             case Operator::compare:
                 top = compare(static_cast<Relation>(node.operand), *--below, top);
                 continue;
-            case Operator::not_:
-                top = bits::not_(top, node.logical);
-                continue;
             case Operator::function:
                 top = function(node, top);
                 break;
-            case Operator::indirect: {
-                const double* cell = is_unknown(top) ? &unknown_value : indirect_cell(top, node.token);
-                if (!cell) return unknown_value;
-                top = *cell;
-                continue;
-            }
-            case Operator::variable:
-                if (!node.indexed) *below++ = top;
-                top = variables_.read(node.operand, node.indexed ? std::optional(top) : std::nullopt, node.token);
-                break;
-            case Operator::position:
-                top = variables_.position(node.operand, *--below, top, node.token);
-                break;
             default:
-                top = binary(node, *--below, top);
+                top = other(node, below, top);
                 break;
         }
+        if (std::isfinite(top)) continue;
         // Finite operands must not become infinite: infinity minus infinity would pass for an unknown value.
         if (std::isinf(top)) return fail(node, Id::result_not_a_number);
         if (session_.failed) return unknown_value;
     }
     return top;
+}
+
+/// The less frequent nodes. `below` is one above the value under `top`.
+double Evaluator::other(const Node& node, double*& below, double top) {
+    switch (node.op) {
+        case Operator::pi:
+            *below++ = top;
+            return std::numbers::pi;
+        case Operator::negate:
+            return -top;
+        case Operator::not_:
+            return bits::not_(top, node.logical);
+        case Operator::indirect: {
+            const double* cell = is_unknown(top) ? &unknown_value : indirect_cell(top, node.token);
+            return cell ? *cell : unknown_value;
+        }
+        case Operator::variable:
+            if (node.indexed) return variables_.read(node.operand, top, node.token);
+            *below++ = top;
+            return variables_.read(node.operand, {}, node.token);
+        case Operator::position:
+            return variables_.position(node.operand, *--below, top, node.token);
+        default:
+            return binary(node, *--below, top);
+    }
 }
 
 double Evaluator::binary(const Node& node, double a, double b) {

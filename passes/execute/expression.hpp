@@ -37,6 +37,7 @@ class Evaluator {
     using Node = program::Node;
     template <class... Arguments>
     double fail(const Node& node, diag::Id id, Arguments... arguments);
+    double other(const Node& node, double*& below, double top);
     double binary(const Node& node, double a, double b);
     double power(const Node& node, double base, double exponent);
     double function(const Node& node, double a);

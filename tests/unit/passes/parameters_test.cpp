@@ -32,7 +32,7 @@ TEST(Parameters, OfTheMachineBuilderNeedTheirAttribute) {
     EXPECT_EQ(p.find(2000), nullptr);
     EXPECT_TRUE(p.is_oem(2255));
     EXPECT_FALSE(p.is_oem(299));
-    p.oem_allowed = true;
+    p.allow_oem(true);
     ASSERT_NE(p.find(2000), nullptr);
     EXPECT_EQ(*p.find(2000), 7);
 }
