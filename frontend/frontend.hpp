@@ -15,7 +15,8 @@
 namespace fagorc::frontend {
 
 struct Options {
-    bool shape_cache = true;         ///< false: every block is parsed by ANTLR
+    bool shape_cache = true;  ///< false: every block is parsed by ANTLR
+    bool loop_cache = true;   ///< false: a block is decoded each time that a loop reads it
 };
 
 /// Counts for `--stats`.
@@ -40,13 +41,17 @@ class Workspace {
     diag::FileId add_text(std::string name, std::string text);
 
     program::Library& library();
-    const Statistics& statistics() const;
+    Statistics statistics() const;
+
+    /// Another text that findings point into, such as a machine file.
+    diag::FileId add_text(std::string name, std::string text);
 
     /// For reporters: the name of a file and the text of the line that starts at an offset.
     std::string_view name(diag::FileId file) const;
     std::string_view line_at(diag::FileId file, std::uint64_t offset) const;
 
   private:
+    class Counting;
     struct Implementation;
     std::unique_ptr<Implementation> implementation_;
 };

@@ -1,0 +1,46 @@
+#include "frontend/scan/readable_key.hpp"
+
+namespace fagorc::frontend {
+namespace {
+
+using program::Token;
+
+std::string word(Token t, std::uint16_t payload, const control::Dialect& dialect) {
+    switch (t) {
+        case Token::g_code:
+            return "G" + std::to_string(payload);
+        case Token::m_code:
+            return "M" + std::to_string(payload);
+        case Token::skip:
+            return "/" + std::to_string(payload);
+        case Token::variable: {
+            const int axis = control::variable_axis(payload);
+            std::string name(dialect.variables[control::variable_row(payload)].name);
+            return axis < 0 ? name : name + letter(all_axes[static_cast<std::size_t>(axis)]);
+        }
+        default:
+            for (const control::ReservedWord& w : dialect.words)
+                if (w.token == t && w.payload == payload) return std::string(w.text);
+            return "?";
+    }
+}
+
+}  // namespace
+
+std::string readable_key(std::string_view key, const control::Dialect& dialect) {
+    std::string out;
+    for (std::size_t i = 0; i < key.size(); ++i) {
+        const auto t = static_cast<Token>(static_cast<unsigned char>(key[i]));
+        if (!out.empty()) out += ' ';
+        if (!program::has_payload(t)) {
+            out += key[i];
+            continue;
+        }
+        const auto byte = [&](std::size_t n) { return static_cast<unsigned char>(key[i + n]); };
+        out += word(t, static_cast<std::uint16_t>(byte(1) | byte(2) << 8), dialect);
+        i += 2;
+    }
+    return out;
+}
+
+}  // namespace fagorc::frontend

@@ -1,0 +1,79 @@
+#include "frontend/shape/cache.hpp"
+
+#include <cstring>
+
+namespace fagorc::frontend {
+namespace {
+
+/// Multiply and fold, eight bytes at a time; keys are 5 to 20 bytes.
+std::uint64_t hash_of(std::string_view key) {
+    std::uint64_t h = key.size() * 0x9e3779b97f4a7c15ULL;
+    const char* p = key.data();
+    std::size_t n = key.size();
+    for (; n;) {
+        std::uint64_t word = 0;
+        const std::size_t take = n < 8 ? n : 8;
+        std::memcpy(&word, p, take);
+        h = (h ^ word) * 0xff51afd7ed558ccdULL;
+        h ^= h >> 32;
+        p += take;
+        n -= take;
+    }
+    return h;
+}
+
+}  // namespace
+
+ShapeCache::ShapeCache(TemplateMaker& maker, bool keep, std::size_t limit)
+    : maker_(maker), keep_(keep), limit_(limit), entries_(256) {}
+
+const program::BlockTemplate& ShapeCache::find(std::string_view key) {
+    // Neighbouring blocks mostly have one shape.
+    if (last_ && last_->key == key) {
+        kept_ = true;
+        return *last_->shape;
+    }
+    const std::uint64_t hash = hash_of(key);
+    const std::size_t mask = entries_.size() - 1;
+    for (std::size_t i = hash & mask; entries_[i].shape; i = (i + 1) & mask)
+        if (entries_[i].hash == hash && entries_[i].key == key) {
+            last_ = &entries_[i];
+            kept_ = true;
+            return *last_->shape;
+        }
+    return make(key, hash);
+}
+
+const program::BlockTemplate& ShapeCache::make(std::string_view key, std::uint64_t hash) {
+    ++shapes_;
+    program::BlockTemplate made = maker_.make(key);
+    const std::size_t bytes = made.bytes + sizeof(Entry) + key.size();
+    if (!keep_ || bytes_ + bytes > limit_) {
+        kept_ = false;
+        return passing_ = std::move(made);
+    }
+    if (2 * ++count_ > entries_.size()) grow();
+    bytes_ += bytes;
+    const std::size_t mask = entries_.size() - 1;
+    std::size_t i = hash & mask;
+    while (entries_[i].shape) i = (i + 1) & mask;
+    entries_[i] = {hash, std::string(key), std::make_unique<program::BlockTemplate>(std::move(made))};
+    last_ = &entries_[i];
+    kept_ = true;
+    return *last_->shape;
+}
+
+void ShapeCache::grow() {
+    std::vector<Entry> old(entries_.size() * 2);
+    old.swap(entries_);
+    last_ = nullptr;
+    const std::size_t mask = entries_.size() - 1;
+    for (Entry& e : old) {
+        if (!e.shape) continue;
+        std::size_t i = e.hash & mask;
+        while (entries_[i].shape) i = (i + 1) & mask;
+        entries_[i] = std::move(e);
+    }
+}
+
+}  // namespace fagorc::frontend

@@ -1,0 +1,118 @@
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+#include "frontend/structure/text.hpp"
+
+namespace fagorc::frontend {
+namespace {
+
+/// Address space for the text: only what has been read takes memory, and that can be given back.
+constexpr std::size_t reserved = std::size_t{1} << 38;
+constexpr std::size_t chunk = std::size_t{1} << 18;
+/// Pages so far behind the reader are given back to the file.
+constexpr std::size_t kept_behind = std::size_t{4} << 20;
+
+/// An unlinked temporary file; a negative descriptor where none can be made.
+int temporary_file() {
+    const char* folder = std::getenv("TMPDIR");
+    std::string name = std::string(folder && *folder ? folder : "/tmp") + "/fagorc-XXXXXX";
+    const int fd = ::mkostemp(name.data(), O_CLOEXEC);
+    if (fd >= 0) ::unlink(name.c_str());
+    return fd;
+}
+
+/// Standard input as one growing text: what is read is appended to a file, and the file is what is scanned.
+class StreamText final : public Text {
+  public:
+    StreamText(int input, int file, char* map) : input_(input), file_(file), map_(map) {
+        data_ = map;
+        complete_ = false;
+    }
+    StreamText(const StreamText&) = delete;
+    StreamText& operator=(const StreamText&) = delete;
+    ~StreamText() override {
+        ::munmap(map_, reserved);
+        ::close(file_);
+    }
+
+  private:
+    bool more(std::size_t offset) override {
+        while (!complete_ && offset >= ready_) fill();
+        return offset < ready_;
+    }
+
+    /// Takes what the input has, at least one byte, and moves `ready_` behind the last whole block.
+    void fill() {
+        char buffer[chunk];
+        const ssize_t n = ::read(input_, buffer, sizeof buffer);
+        if (n < 0 && (errno == EINTR || errno == EAGAIN)) {
+            pollfd wait{input_, POLLIN, 0};
+            ::poll(&wait, 1, -1);
+            return;
+        }
+        if (n <= 0) return end(n < 0 ? std::strerror(errno) : "");
+        if (size_ + static_cast<std::size_t>(n) + 1 > reserved) return end(std::strerror(EFBIG));
+        const std::size_t before = size_ ? size_ - 1 : 0;
+        if (!keep({buffer, static_cast<std::size_t>(n)})) return end(std::strerror(errno));
+        // A CR at the very end waits: an LF may follow that belongs to it.
+        const std::string_view fresh(map_ + before, size_ - before);
+        const std::size_t whole = fresh.substr(0, fresh.size() - 1).find_last_of("\r\n");
+        if (fresh.back() == '\n')
+            ready_ = size_;
+        else if (whole != std::string_view::npos)
+            ready_ = std::max(ready_, before + whole + 1);
+        give_back();
+    }
+
+    bool keep(std::string_view bytes) {
+        while (!bytes.empty()) {
+            const ssize_t n = ::write(file_, bytes.data(), bytes.size());
+            if (n < 0 && errno != EINTR) return false;
+            bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
+            size_ += static_cast<std::size_t>(std::max<ssize_t>(n, 0));
+        }
+        return true;
+    }
+
+    void end(std::string why) {
+        complete_ = true;
+        const std::size_t text = without_tail({map_, size_});
+        if (::pwrite(file_, "\n", 1, static_cast<off_t>(text)) != 1 && why.empty()) why = std::strerror(errno);
+        failure_ = std::move(why);
+        if (failure_.empty()) ready_ = std::max(ready_, text);
+    }
+
+    /// Pages that have been scanned go back to the file; a jump back reads them again.
+    void give_back() {
+        if (ready_ < given_back_ + 2 * kept_behind) return;
+        ::madvise(map_ + given_back_, kept_behind, MADV_DONTNEED);
+        given_back_ += kept_behind;
+    }
+
+    int input_, file_;
+    char* map_;
+    std::size_t size_ = 0;        ///< bytes in the file
+    std::size_t given_back_ = 0;  ///< a multiple of the page size
+};
+
+}  // namespace
+
+std::unique_ptr<Text> text_of_stream(int descriptor, diag::Sink& out) {
+    const int file = temporary_file();
+    void* map = file < 0 ? MAP_FAILED : ::mmap(nullptr, reserved, PROT_READ, MAP_SHARED | MAP_NORESERVE, file, 0);
+    if (map == MAP_FAILED) {
+        out.report(diag::Id::cannot_spool, diag::Place{}, std::strerror(errno));
+        if (file >= 0) ::close(file);
+        return nullptr;
+    }
+    return std::make_unique<StreamText>(descriptor, file, static_cast<char*>(map));
+}
+
+}  // namespace fagorc::frontend

@@ -1,0 +1,53 @@
+// The bytes of a program: a file in memory, or standard input kept in a temporary file while it is read.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "ir/diag/diagnostic.hpp"
+
+namespace fagorc::frontend {
+
+/// One contiguous text. A line end stands behind its last byte in memory, so that a scanner needs no end check.
+class Text {
+  public:
+    virtual ~Text() = default;
+
+    const char* data() const { return data_; }
+    /// Blocks that start before this offset are whole.
+    std::size_t ready() const { return ready_; }
+    /// Waits until the block at `offset` is whole; false when the text ends before it.
+    bool reach(std::size_t offset) { return offset < ready_ || more(offset); }
+    /// Everything up to the end of the input.
+    std::string_view all() {
+        while (more(ready_)) {
+        }
+        return {data_, ready_};
+    }
+    /// Whether the end of the input has been seen.
+    bool complete() const { return complete_; }
+    /// Why the input could not be kept, where that happened; it then ends there.
+    const std::string& failure() const { return failure_; }
+
+    /// What the texts of a program share: a byte order mark, control characters at the end and line ends.
+    static std::size_t without_tail(std::string_view text);
+
+  protected:
+    virtual bool more(std::size_t) { return false; }
+    const char* data_ = nullptr;
+    std::size_t ready_ = 0;
+    bool complete_ = true;
+    std::string failure_;
+};
+
+/// A text from memory.
+std::unique_ptr<Text> text_of(std::string bytes);
+/// A regular file, read whole: it may shrink or change on disk without harm. Null: reported at `place`.
+std::unique_ptr<Text> text_of_file(const std::string& path, diag::Sink& out);
+/// A pipe or terminal, kept in an unlinked temporary file as it is read, so that jumps back find it: blocks are ready
+/// before the input ends, and memory stays constant. `descriptor` is not closed. Null: reported.
+std::unique_ptr<Text> text_of_stream(int descriptor, diag::Sink& out);
+
+}  // namespace fagorc::frontend
