@@ -185,7 +185,6 @@ void Executor::end_of_text() {
     while (!frames_.empty() && frames_.back().kind == Frame::Kind::section) leave();
     if (frames_.empty()) {
         session_.diagnostics.report(Id::no_program_end, session_.program->place_of_line(next_.line));
-        if (session_.block) iso_.push_event({operation::Event::Kind::program_end, {}, 0, 0});
         return complete();
     }
     if (frames_.back().kind == Frame::Kind::program) return end_of_program();
@@ -203,6 +202,7 @@ void Executor::end_of_program() {
 }
 
 void Executor::complete() {
+    iso_.push_event({operation::Event::Kind::program_end, {}, 0, 0});
     iso_.reset();
     session_.library.close();
     result_.completed = true;

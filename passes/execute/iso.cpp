@@ -97,6 +97,7 @@ IsoRunner::Outcome IsoRunner::Control::run(const IsoBlock& block) {
     if (block.tool || block.offset) tool_words(block);
     if (block.feed) set_feed(*block.feed);
     if (block.speed) set_speed(*block.speed);
+    if (form.surface != nullptr && !surface_speed_known()) return outcome;
     if (session.ends()) return outcome;
     if (form.dwell) dwell(*form.dwell);
     const bool has_misc = !block.misc.empty() || !block.misc_by_parameter.empty();
@@ -112,12 +113,7 @@ std::optional<std::uint32_t> IsoRunner::Control::subroutine_ended() {
     if (waiting.empty()) return std::nullopt;
     const Waiting ended = waiting.back();
     waiting.pop_back();
-    if (ended.send) {
-        now.moved = {};
-        operation::Event event;
-        event.value = ended.number;
-        emit(event, ended.line);
-    }
+    if (ended.send) send_misc(ended.number);
     const auto next = std::exchange(queued_misc, std::nullopt);
     if (!next) return std::nullopt;
     call_misc_subroutine(*next, session.machine.misc.at(*next));
@@ -130,9 +126,9 @@ operation::StateId IsoRunner::Control::state_id() {
     return *id;
 }
 
-void IsoRunner::Control::emit(const operation::What& what, std::uint32_t line) {
+void IsoRunner::Control::emit(const operation::What& what) {
     now.what = what;
-    now.at.line = line;
+    if (session.block != nullptr) now.at.line = session.block->here.line;  // null: the end of an empty text
     now.at.chain = session.chain;
     now.at.pass = session.pass;
     now.at.state = state_id();

@@ -37,8 +37,15 @@ struct BlockForm {
     bool absolute_centre = false;                    ///< G06
     const control::Construct* arc_row = nullptr;     ///< of G06, G08, G09
     const program::FunctionCall* machine = nullptr;  ///< G53: the coordinates are machine coordinates
+    const program::FunctionCall* units = nullptr;    ///< a unit or X mode that was not in force before
+    const program::FunctionCall* surface = nullptr;  ///< G96
     std::optional<program::Dwell> dwell;
 };
+
+/// What a code of the table does; nothing for one that only the PLC understands.
+inline program::Function meaning(const control::Construct* row) {
+    return row != nullptr && row->make != nullptr ? row->make() : program::Function{};
+}
 
 /// The words of a motion in millimetres and degrees.
 struct MotionWords {
@@ -106,7 +113,7 @@ struct IsoRunner::Control {
     /// Settings and functions of the block; false: reported.
     bool codes(const program::IsoBlock& block);
     bool code(const program::FunctionCall& call);
-    void set_group(const control::Construct& row);
+    void set_group(const program::FunctionCall& call);
     /// The row of a setting of a modal group; null where the control has no code for it.
     const control::Construct* row_of(program::Group group, std::uint8_t setting) const;
     std::optional<program::Function> filled(const program::FunctionCall& call);
@@ -154,6 +161,7 @@ struct IsoRunner::Control {
     // -- F S T D M (iso_technology.cpp, iso_misc.cpp)
     void set_feed(const program::Word& word);
     void set_speed(const program::Word& word);
+    bool surface_speed_known();
     bool speed_within_limits(const program::IsoBlock& block);
     bool change_gear(const program::IsoBlock& block, std::uint8_t gear);
     const control::Construct* gear_row(int gear) const;
@@ -174,8 +182,7 @@ struct IsoRunner::Control {
     bool in_tool_subroutine() const;
 
     // -- output (iso.cpp)
-    void emit(const operation::What& what) { emit(what, session.block->here.line); }
-    void emit(const operation::What& what, std::uint32_t line);
+    void emit(const operation::What& what);
     void emit_event(operation::Event::Kind kind, double value);
     /// Something in the state other than the motion mode has changed.
     void state_changed() { state_ids.fill(std::nullopt); }
@@ -225,7 +232,6 @@ struct IsoRunner::Control {
         enum class For : std::uint8_t { misc, tool, home } what = For::misc;
         std::uint16_t number = 0;
         bool send = false;
-        std::uint32_t line = 0;  ///< of the block that called it
     };
     std::vector<Waiting> waiting;
     std::optional<std::uint16_t> queued_misc;  ///< its subroutine follows the tool's

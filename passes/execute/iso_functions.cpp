@@ -46,6 +46,9 @@ bool IsoRunner::Control::codes(const program::IsoBlock& block) {
                        other ? other->code : "");
         return false;
     }
+    if (form.units != nullptr && block.geometry.count != 0)
+        session.report_once(diag::Id::setting_holds_here, form.units->token, form.units->token + 1u,
+                            form.units->construct->code);
     if (form.machine != nullptr && block.geometry.count == 0) {
         const PerAxis<double> before = offsets.total();
         offsets.cancel();
@@ -61,13 +64,14 @@ bool IsoRunner::Control::code(const FunctionCall& call) {
         session.report(diag::Id::not_yet_supported, call.token, call.token + 1u, row.code, row.title);
         return false;
     }
-    if (row.group != Group::none) set_group(row);
+    if (row.group != Group::none) set_group(call);
     if (row.make == nullptr) return true;
     const auto function = filled(call);
     return function && act(call, *function) && !session.ends();
 }
 
-void IsoRunner::Control::set_group(const Construct& row) {
+void IsoRunner::Control::set_group(const FunctionCall& call) {
+    const Construct& row = *call.construct;
     program::Modal& m = state.modal;
     const program::Modal before = m;
     switch (row.group) {
@@ -95,6 +99,7 @@ void IsoRunner::Control::set_group(const Construct& row) {
             break;
         case Group::speed:
             m.speed = static_cast<program::SpeedMode>(row.setting);
+            if (m.speed == program::SpeedMode::constant_surface) form.surface = &call;
             break;
         case Group::spindle:
             m.spindle = static_cast<program::Spindle>(row.setting);
@@ -114,7 +119,10 @@ void IsoRunner::Control::set_group(const Construct& row) {
     }
     if (m == before && m.corner != program::Corner::look_ahead) return;
     state_changed();
-    if (changes_dimensions(row.group)) units_changed();
+    if (changes_dimensions(row.group)) {
+        units_changed();
+        form.units = &call;
+    }
     if (row.group == Group::speed && m.speed == program::SpeedMode::rpm && before.speed != m.speed)
         speeds[0] = surface_rpm();  // without S the present speed is kept (8055 T 5.2)
     technology_changed();
@@ -301,7 +309,7 @@ void IsoRunner::Control::home_subroutine(const FunctionCall& call) {
     };
     if (number && exists(*number)) {
         outcome.subroutine = number;
-        waiting.push_back({Waiting::For::home, 0, false, session.block->here.line});
+        waiting.push_back({Waiting::For::home, 0, false});
     } else {
         const Text unnamed{"its number", "son numéro", "su número"};
         session.report(diag::Id::home_subroutine_missing, call.token, call.token + 1u,

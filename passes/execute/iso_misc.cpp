@@ -13,11 +13,6 @@ using program::FunctionCall;
 
 namespace {
 
-/// What a code of the table does; nothing for one that only the PLC understands.
-program::Function meaning(const Construct* row) {
-    return row != nullptr && row->make != nullptr ? row->make() : program::Function{};
-}
-
 /// Stops and ends come after the motion where the machine's table does not say otherwise (8055 T 9.2 A9).
 bool ends_its_block(const program::Function& f) {
     const auto* spindle = std::get_if<program::SpindleCommand>(&f);
@@ -143,7 +138,7 @@ void IsoRunner::Control::send_misc(std::uint16_t number) {
 
 void IsoRunner::Control::call_misc_subroutine(std::uint16_t number, const machine::Misc& row) {
     if (!row.m_after_subroutine) send_misc(number);
-    waiting.push_back({Waiting::For::misc, number, row.m_after_subroutine, session.block->here.line});
+    waiting.push_back({Waiting::For::misc, number, row.m_after_subroutine});
     outcome.subroutine = row.subroutine;
 }
 

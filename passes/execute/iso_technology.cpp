@@ -48,6 +48,13 @@ void IsoRunner::Control::set_speed(const Word& word) {
     technology_changed();
 }
 
+/// G96 takes the S of its block or the last one under G96 (8055 T 5.2).
+bool IsoRunner::Control::surface_speed_known() {
+    if (speeds[static_cast<std::size_t>(SpeedMode::constant_surface)]) return true;
+    session.report(diag::Id::surface_speed_missing, form.surface->token, form.surface->token + 1u);
+    return false;
+}
+
 /// Checks S against G92 S and the gear, after the gear of the same block is in (8055 T 4.4, 5.2, 5.5).
 bool IsoRunner::Control::speed_within_limits(const program::IsoBlock& block) {
     const Word& word = *block.speed;
@@ -143,8 +150,11 @@ void IsoRunner::Control::tool_words(const program::IsoBlock& block) {
     if (block.tool && !(tool = whole(*block.tool))) return;
     if (block.offset && !(offset = whole(*block.offset))) return;
     const bool calls = tool && session.machine.tool_subroutine && !in_tool_subroutine();
+    const auto changes = [](const program::FunctionCall& m) {
+        return std::holds_alternative<program::ToolChange>(meaning(m.construct));
+    };
     if (calls && (block.geometry.count != 0 || block.feed || block.speed || !block.modal.empty() ||
-                  !block.functions.empty() || !block.misc.empty())) {
+                  !block.functions.empty() || !std::all_of(block.misc.begin(), block.misc.end(), changes))) {
         session.report(diag::Id::tool_with_subroutine, block.tool->token, block.tool->end_token);
         return;
     }
@@ -171,7 +181,7 @@ void IsoRunner::Control::tool_words(const program::IsoBlock& block) {
     }
     if (calls) {
         outcome.subroutine = session.machine.tool_subroutine;
-        waiting.push_back({Waiting::For::tool, static_cast<std::uint16_t>(*tool), false, session.block->here.line});
+        waiting.push_back({Waiting::For::tool, static_cast<std::uint16_t>(*tool), false});
     }
 }
 

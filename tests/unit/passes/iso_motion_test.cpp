@@ -127,12 +127,12 @@ TEST(IsoMotion, PolarWithAThirdAxis) {
 TEST(IsoMotion, AngleAndOneCoordinate) {
     // The drawing of 8055 T 3.9: Q149 from (Z160, Xr30) to Z110 ends at Xr 60.0430.
     IsoBench b;
-    b.run("G18 G152 G90 G01 X30 Z160 F100\nQ149 Z110");
+    b.run("G152\nG18 G90 G01 X30 Z160 F100\nQ149 Z110");
     EXPECT_NEAR(b.last<Line>().end.u, 110, 1e-12);
     EXPECT_NEAR(b.last<Line>().end.v, 60.0430, 5e-5);
     b.run("Q90 X70");
     expect_end(b, 110, 70);
-    b.run("G151 Q135 X160");  // X80 radius: 10 up, 10 left
+    b.run("G151\nQ135 X160");  // X80 radius: 10 up, 10 left
     expect_end(b, 100, 80);
     b.run("G91 Q180 Z-30");
     expect_end(b, 70, 80);
@@ -170,7 +170,7 @@ TEST(IsoMotion, NumberFormats) {
 
 TEST(IsoMotion, AFifthDecimalIsRoundedWithOneWarning) {
     IsoBench b;
-    b.run("G152 G00 X10.00016 Z1.23456");
+    b.run("G152\nG00 X10.00016 Z1.23456");
     expect_end(b, 1.2346, 10.0002);
     EXPECT_EQ(b.warnings(), std::vector<std::string>{"decimals_rounded"});
 }
