@@ -43,9 +43,6 @@ class Workspace {
     program::Library& library();
     Statistics statistics() const;
 
-    /// Another text that findings point into, such as a machine file.
-    diag::FileId add_text(std::string name, std::string text);
-
     /// For reporters: the name of a file and the text of the line that starts at an offset.
     std::string_view name(diag::FileId file) const;
     std::string_view line_at(diag::FileId file, std::uint64_t offset) const;
