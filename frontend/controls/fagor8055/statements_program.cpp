@@ -8,7 +8,6 @@ namespace fagorc::frontend::fagor8055 {
 namespace {
 
 using control::StatementRow;
-using control::Support;
 
 constexpr Operand program_operands[] = {
     {.address = '1',
@@ -25,7 +24,6 @@ constexpr StatementRow table[] = {
      .title = {"execution of another program", "exécution d'un autre programme", "ejecución de otro programa"},
      .operands = program_operands},
     {.word = "MEXEC",
-     .support = Support::planned,
      .syntax = "(MEXEC P(expression) [, HD | DNC2 | DNCE])",
      .snippet = "(MEXEC P200)",
      .section = "8055 T 12.8",
