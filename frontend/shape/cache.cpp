@@ -27,7 +27,7 @@ std::uint64_t hash_of(std::string_view key) {
 ShapeCache::ShapeCache(TemplateMaker& maker, bool keep, std::size_t limit)
     : maker_(maker), keep_(keep), limit_(limit), entries_(256) {}
 
-const program::BlockTemplate& ShapeCache::find(std::string_view key) {
+const program::BlockTemplate& ShapeCache::find(std::string_view key, program::BlockTemplate& own) {
     // Neighbouring blocks mostly have one shape.
     if (last_ && last_->key == key) {
         kept_ = true;
@@ -41,16 +41,16 @@ const program::BlockTemplate& ShapeCache::find(std::string_view key) {
             kept_ = true;
             return *last_->shape;
         }
-    return make(key, hash);
+    return make(key, hash, own);
 }
 
-const program::BlockTemplate& ShapeCache::make(std::string_view key, std::uint64_t hash) {
+const program::BlockTemplate& ShapeCache::make(std::string_view key, std::uint64_t hash, program::BlockTemplate& own) {
     ++shapes_;
     program::BlockTemplate made = maker_.make(key);
     const std::size_t bytes = made.bytes + sizeof(Entry) + key.size();
     if (!keep_ || bytes_ + bytes > limit_) {
         kept_ = false;
-        return passing_ = std::move(made);
+        return own = std::move(made);
     }
     if (2 * ++count_ > entries_.size()) grow();
     bytes_ += bytes;

@@ -17,8 +17,8 @@ class ShapeCache {
     /// the cache beyond `limit` bytes are not kept either, so a program whose blocks all differ stays bounded.
     ShapeCache(TemplateMaker& maker, bool keep, std::size_t limit = default_limit);
 
-    /// The template of a key. A kept one lives as long as the cache, another until the next call that makes one.
-    const program::BlockTemplate& find(std::string_view key);
+    /// The template of a key. A kept one lives as long as the cache; one that is not kept is put into `own`.
+    const program::BlockTemplate& find(std::string_view key, program::BlockTemplate& own);
     /// Whether the template of the last call stays.
     bool kept() const { return kept_; }
 
@@ -32,7 +32,7 @@ class ShapeCache {
         std::string key;
         std::unique_ptr<program::BlockTemplate> shape;
     };
-    const program::BlockTemplate& make(std::string_view key, std::uint64_t hash);
+    const program::BlockTemplate& make(std::string_view key, std::uint64_t hash, program::BlockTemplate& own);
     void grow();
 
     TemplateMaker& maker_;
@@ -41,7 +41,6 @@ class ShapeCache {
     std::uint64_t shapes_ = 0;
     std::vector<Entry> entries_;  ///< open addressing; a power of two
     const Entry* last_ = nullptr;
-    program::BlockTemplate passing_;
 };
 
 }  // namespace fagorc::frontend

@@ -12,7 +12,7 @@ void ProgramText::check_unread(diag::Sink& out) {
     const bool all = indexed_to_.offset > first_.offset;  // subroutines are known: their rules need the whole text
     const auto walk = [&](Cursor at, std::uint64_t end) {
         while (at.offset < end) {
-            const Block* block = decode(at);
+            const Block* block = decode(at, looking_);
             if (!block || block->here.offset >= end) return;
             program::report_findings(*this, *block, out);
             at = block->next;

@@ -52,9 +52,10 @@ ProgramText::ProgramText(const Decoder& decoder, diag::FileId file, std::string 
       name_(std::move(name)),
       number_(program_number(name_)),
       text_(std::move(text)),
-      scan_(decoder.dialect.limits.block_bytes),
-      token_scan_(decoder.dialect.limits.block_bytes),
-      rebound_(decoder.dialect.limits.block_bytes) {
+      reading_{Scan(decoder.dialect.limits.block_bytes), {}, {}},
+      looking_{Scan(decoder.dialect.limits.block_bytes), {}, {}},
+      rebound_{Scan(decoder.dialect.limits.block_bytes), {}, {}},
+      token_scan_(decoder.dialect.limits.block_bytes) {
     too_long_.broken = true;
     if (text_->reach(byte_order_mark.size()) &&
         std::memcmp(text_->data(), byte_order_mark.data(), byte_order_mark.size()) == 0)
@@ -91,7 +92,7 @@ void ProgramText::read_start() {
         first_ = line_after(first_);
     }
     start_ = read_to_ = indexed_to_ = first_;
-    const Block* block = decode(first_);
+    const Block* block = decode(first_, looking_);
     const auto* sub = block ? subroutine_begin(*block) : nullptr;
     if (!sub || !sub->local) return;
     for (Cursor at = first_; text_->reach(at.offset); at = line_after(at))
@@ -118,7 +119,7 @@ const Block* ProgramText::read(Cursor at) {
         const Decoded& d = loop_[at.offset % loop_slots];
         if (d.block.shape && d.block.here.offset == at.offset) return &d.block;
     }
-    const Block* block = decode(at);
+    const Block* block = decode(at, reading_);
     if (!block) return nullptr;
     if (read_to_ == at) read_to_ = block->next;
     if (!back) {
@@ -138,7 +139,7 @@ const Block* ProgramText::keep(const Block& block) {
     return &d.block;
 }
 
-const Block* ProgramText::decode(Cursor at) {
+const Block* ProgramText::decode(Cursor at, Reading& into) {
     while (text_->reach(at.offset)) {
         const char* p = text_->data() + at.offset;
         if (*p == '%') {
@@ -146,21 +147,24 @@ const Block* ProgramText::decode(Cursor at) {
             const Cursor after = line_after(at);
             if (line_at(at.offset).size() == 1 && !text_->reach(after.offset)) return nullptr;
         }
-        const Scanner::Extent extent = decoder_.scanner.scan(p, scan_);
+        const Scanner::Extent extent = decoder_.scanner.scan(p, into.scan);
         const Cursor next{at.offset + extent.next, at.line + 1};
         if (extent.too_long) {
             const auto limit = static_cast<std::uint64_t>(decoder_.dialect.limits.block_bytes);
             too_long_.findings = {{diag::Id::block_too_long, 0, 0, {extent.length, limit}}};
-            block_ = {&too_long_, {}, {p, extent.length}, at, next};
-            return &block_;
+            into.block = {&too_long_, {}, {p, extent.length}, at, next};
+            return &into.block;
         }
-        if (is_silent(scan_)) {
+        if (is_silent(into.scan)) {
             at = next;
             continue;
         }
-        block_ = {
-            &decoder_.shapes.find(scan_.key()), {scan_.slots(), scan_.slot_count()}, {p, extent.length}, at, next};
-        return &block_;
+        into.block = {&decoder_.shapes.find(into.scan.key(), into.shape),
+                      {into.scan.slots(), into.scan.slot_count()},
+                      {p, extent.length},
+                      at,
+                      next};
+        return &into.block;
     }
     if (!text_->failure().empty())
         decoder_.diagnostics.report(diag::Id::cannot_spool, place_of_line(at.line), text_->failure());
@@ -170,16 +174,16 @@ const Block* ProgramText::decode(Cursor at) {
 const Block* ProgramText::rebind(const Block& original, std::string_view text, diag::Sink& out) {
     rebound_text_.assign(text);
     rebound_text_ += '\n';
-    const Scanner::Extent extent = decoder_.scanner.scan(rebound_text_.c_str(), rebound_);
+    const Scanner::Extent extent = decoder_.scanner.scan(rebound_text_.c_str(), rebound_.scan);
     if (extent.too_long) return nullptr;
-    const program::BlockTemplate& shape = decoder_.shapes.find(rebound_.key());
-    rebound_block_ = {&shape,
-                      {rebound_.slots(), rebound_.slot_count()},
+    const program::BlockTemplate& shape = decoder_.shapes.find(rebound_.scan.key(), rebound_.shape);
+    rebound_.block = {&shape,
+                      {rebound_.scan.slots(), rebound_.scan.slot_count()},
                       {rebound_text_.data(), extent.length},
                       original.here,
                       original.next};
-    if (!shape.broken) return &rebound_block_;
-    program::report_findings(*this, rebound_block_, out);
+    if (!shape.broken) return &rebound_.block;
+    program::report_findings(*this, rebound_.block, out);
     return nullptr;
 }
 
@@ -203,7 +207,7 @@ Cursor ProgramText::cursor_of_line(std::uint32_t line) {
 bool ProgramText::index_more() {
     read_start();
     bool any = false;
-    while (const Block* block = decode(indexed_to_)) {
+    while (const Block* block = decode(indexed_to_, looking_)) {
         index_block(*block);
         indexed_to_ = block->next;
         any = true;

@@ -57,7 +57,13 @@ class ProgramText final : public program::Program {
     };
     static constexpr std::size_t loop_slots = 4096;
 
-    const program::Block* decode(program::Cursor at);
+    /// A block being read: what it needs until the next one.
+    struct Reading {
+        Scan scan;
+        program::Block block;
+        program::BlockTemplate shape;  ///< where the cache does not keep it
+    };
+    const program::Block* decode(program::Cursor at, Reading& into);
     const program::Block* keep(const program::Block& block);
     void read_start();
     bool is_mark(std::size_t offset);
@@ -72,8 +78,10 @@ class ProgramText final : public program::Program {
     std::string name_;
     std::optional<std::uint32_t> number_;
     std::unique_ptr<Text> text_;
-    Scan scan_, token_scan_, rebound_;
-    program::Block block_, rebound_block_;
+    Reading reading_;  ///< of read()
+    Reading looking_;  ///< of the index and the check, which leave the block that is executed alone
+    Reading rebound_;
+    Scan token_scan_;
     std::string rebound_text_;
     program::BlockTemplate too_long_;
 

@@ -39,7 +39,7 @@ class Program {
 
     /// Where execution starts: after the header, and after the local subroutines and their `%` mark (8055 T 2.7).
     virtual Cursor start() = 0;
-    /// The block at a cursor; null at the end of the text.
+    /// The block at a cursor; null at the end of the text. It stays until the next read: no other question moves it.
     virtual const Block* read(Cursor at) = 0;
     /// The block again, decoded from a text made of it (`GP1` with the code put in). Null: the text has an error,
     /// which `out` has been told at the place of the original block.
