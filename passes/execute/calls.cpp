@@ -45,7 +45,7 @@ void Executor::pop() {
     enter(*f.program);
     next_ = f.back;
     if (!f.of_function) return;
-    session_.block = session_.program->read(f.call);   // the function belongs to the block that called
+    session_.block = session_.program->read(f.call);  // the function belongs to the block that called
     if (const auto following = iso_.subroutine_ended()) call_function(*following);
 }
 
@@ -183,7 +183,7 @@ void Executor::run(const program::Call& c) {
     const bool level = c.kind == Kind::with_parameters || c.kind == Kind::modal || !c.arguments.empty();
     Arguments arguments;
     if (!take_arguments(c.arguments, arguments)) return;
-    if (c.kind == Kind::modal) modal_ = ModalCall{found.program, found.subroutine, arguments};
+    if (c.kind == Kind::modal) modal_ = ModalCall{found.program, *found.subroutine, arguments};
     call(found, level ? &arguments : nullptr, runs(), c.kind == Kind::modal);
 }
 
@@ -237,7 +237,7 @@ void Executor::call_program(program::Program& program, bool modal) {
 
 void Executor::call_modal() {
     if (!modal_->subroutine) return call_program(*modal_->program, true);  // MEXEC: a count is ignored (8055 T 12.8)
-    call({modal_->program, modal_->subroutine}, &modal_->arguments, runs(), true);
+    call({modal_->program, &*modal_->subroutine}, &modal_->arguments, runs(), true);
 }
 
 void Executor::run(const program::EndModal&) {

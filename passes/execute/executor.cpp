@@ -2,9 +2,28 @@
 
 #include <algorithm>
 
+#include "ir/program/findings.hpp"
+
 namespace fagorc::passes {
 
 using diag::Id;
+
+namespace {
+
+/// Leaves out the findings of blocks that were told when they were executed.
+class Untold final : public diag::Sink {
+  public:
+    Untold(const std::set<std::pair<diag::FileId, std::uint64_t>>& told, diag::Sink& next) : told_(told), next_(next) {}
+    void report(diag::Diagnostic d) override {
+        if (!told_.contains({d.place.file, d.place.block})) next_.report(std::move(d));
+    }
+
+  private:
+    const std::set<std::pair<diag::FileId, std::uint64_t>>& told_;
+    diag::Sink& next_;
+};
+
+}  // namespace
 
 Executor::Executor(program::Program& root, Session& session)
     : root_(root), session_(session), iso_(session), variables_(session, iso_), evaluator_(session, variables_) {
@@ -32,7 +51,8 @@ ExecuteResult Executor::run() {
     }
     result_.ended_by_live_value = session_.blocked;
     if (session_.blocked) session_.report_block(Id::path_ends_at_live_value, session_.wanted);
-    root_.check_unread(session_.diagnostics);
+    Untold untold(told_, session_.diagnostics);
+    root_.check_unread(untold);
     if (result_.completed) session_.head.finish();
     return result_;
 }
@@ -90,7 +110,7 @@ void Executor::refuel() {
 
 void Executor::step(const program::Block& block) {
     const program::BlockTemplate& shape = *block.shape;
-    if (!shape.findings.empty()) report_findings(block);
+    report_findings(block);
     if (shape.skip_marks & session_.options.skip_marks) return;  // a skipped block changes nothing (8055 T 2.3)
     if (shape.broken) {
         session_.failed = true;
@@ -106,12 +126,13 @@ void Executor::step(const program::Block& block) {
 }
 
 void Executor::report_findings(const program::Block& block) {
-    for (const program::Finding& f : block.shape->findings) {
-        const bool error = diag::row(f.id).severity == diag::Severity::error;
-        session_.failed = session_.failed || error;
-        if (!session_.reported.emplace(session_.program->file(), block.here.offset, f.token, f.id).second) continue;
-        session_.diagnostics.report({f.id, session_.program->place(block, f.token, f.end_token), f.arguments, {}});
-    }
+    const auto& findings = block.shape->findings;
+    if (findings.empty()) return;
+    if (told_.emplace(session_.program->file(), block.here.offset).second)
+        program::report_findings(*session_.program, block, session_.diagnostics);
+    session_.failed = session_.failed || std::any_of(findings.begin(), findings.end(), [](const program::Finding& f) {
+                          return diag::row(f.id).severity == diag::Severity::error;
+                      });
 }
 
 /// RPT, CALL, PCALL and LL may be repeated, no other statement (8055 T 2.4; core sheet 2.4).

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -54,7 +55,7 @@ struct Arguments {
 /// What MCALL or MEXEC left active: it runs after every block that moves an axis (8055 T 12.5, 12.8).
 struct ModalCall {
     program::Program* program = nullptr;
-    const program::Subroutine* subroutine = nullptr;  ///< null: the whole program
+    std::optional<program::Subroutine> subroutine;  ///< none: the whole program
     Arguments arguments;
 };
 
@@ -142,7 +143,8 @@ class Executor {
     std::optional<ModalCall> modal_;
     int modal_depth_ = 0, executed_programs_ = 0;
     std::uint64_t frame_changes_ = 0;
-    std::uint64_t fuel_ = 0;  ///< highest number of blocks so far
+    std::uint64_t fuel_ = 0;                                 ///< highest number of blocks so far
+    std::set<std::pair<diag::FileId, std::uint64_t>> told_;  ///< blocks whose findings were reported
     bool ended_ = false;
     ExecuteResult result_;
     std::unordered_map<std::string, std::uint32_t> text_ids_;

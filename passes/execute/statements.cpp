@@ -61,7 +61,7 @@ void Executor::run(const program::Execute& execute) {
     const bool here = execute.device == Device::memory || execute.device == Device::disk;
     program::Program* program = here ? session_.library.program(*number) : nullptr;
     if (!program || !program->header().executable) return refuse(Id::program_cannot_run, *number);
-    if (execute.modal) modal_ = ModalCall{program, nullptr, {}};
+    if (execute.modal) modal_ = ModalCall{program, std::nullopt, {}};
     call_program(*program, execute.modal);
 }
 
