@@ -1,5 +1,7 @@
 #include "frontend/scan/readable_key.hpp"
 
+#include <fmt/format.h>
+
 namespace fagorc::frontend {
 namespace {
 
@@ -8,11 +10,11 @@ using program::Token;
 std::string word(Token t, std::uint16_t payload, const control::Dialect& dialect) {
     switch (t) {
         case Token::g_code:
-            return "G" + std::to_string(payload);
+            return fmt::format("G{}", payload);
         case Token::m_code:
-            return "M" + std::to_string(payload);
+            return fmt::format("M{}", payload);
         case Token::skip:
-            return "/" + std::to_string(payload);
+            return fmt::format("/{}", payload);
         case Token::variable: {
             const int axis = control::variable_axis(payload);
             std::string name(dialect.variables[control::variable_row(payload)].name);
