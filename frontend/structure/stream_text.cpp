@@ -1,3 +1,4 @@
+// A program that arrives through a pipe: blocks as they come, spooled to a temporary file only when one can be read again.
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/mman.h>

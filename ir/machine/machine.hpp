@@ -62,7 +62,7 @@ struct Policies {
 /// Everything that changes the meaning of a program. A default-constructed machine has nothing; `built_in_lathe`
 /// of frontend/machine is the one that is used without a machine file.
 struct Machine {
-    std::string control = "8055";
+    std::string control;             ///< name of the dialect of programs that do not say theirs
     PerAxis<AxisData> axes{};
     program::Modal power_on;
     program::LengthUnit inches_parameter = program::LengthUnit::mm;   ///< INCHES: unit of G53 words
