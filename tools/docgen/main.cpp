@@ -1,4 +1,5 @@
-// docgen FOLDER: writes the reference of each control in each language. docgen --check FOLDER: compares instead.
+// docgen DOCS: writes, below the folder docs, the reference of each control in each language and the index of
+// diagnostics. docgen --check DOCS: compares instead.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -9,6 +10,7 @@
 #include <string_view>
 
 #include "frontend/controls/controls.hpp"
+#include "tools/docgen/diagnostics.hpp"
 #include "tools/docgen/reference.hpp"
 
 namespace {
@@ -34,8 +36,7 @@ bool settle(const fs::path& path, const std::string& text, bool check) {
         return false;
     }
     if (read(path) == text) return true;
-    fmt::print(stderr, "docgen: {} differs from the tables; run docgen {}\n", path.string(),
-               path.parent_path().string());
+    fmt::print(stderr, "docgen: {} differs from the tables; run docgen docs\n", path.string());
     return false;
 }
 
@@ -44,16 +45,19 @@ bool settle(const fs::path& path, const std::string& text, bool check) {
 int main(int argc, char** argv) {
     const bool check = argc == 3 && std::string_view(argv[1]) == "--check";
     if (argc != 2 && !check) {
-        fmt::print(stderr, "usage: docgen [--check] FOLDER\n");
+        fmt::print(stderr, "usage: docgen [--check] DOCS\n");
         return 2;
     }
     constexpr std::pair<Language, std::string_view> languages[] = {
         {Language::english, "en"}, {Language::french, "fr"}, {Language::spanish, "es"}};
+    const fs::path docs = argv[argc - 1];
     bool good = true;
     for (const control::Dialect* dialect : frontend::dialects())
         for (const auto& [language, suffix] : languages) {
-            const fs::path file = fs::path(argv[argc - 1]) / fmt::format("{}.{}.md", dialect->name, suffix);
+            const fs::path file = docs / "reference" / fmt::format("{}.{}.md", dialect->name, suffix);
             good = settle(file, docgen::reference(*dialect, language), check) && good;
         }
+    const fs::path index = docs / "diagnostics.md";
+    good = settle(index, docgen::diagnostics(read(index)), check) && good;
     return good ? 0 : 1;
 }
