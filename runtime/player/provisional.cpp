@@ -1,1 +1,0 @@
-// Provisional: the layer has no source yet.
