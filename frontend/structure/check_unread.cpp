@@ -19,7 +19,7 @@ void ProgramText::check_unread(diag::Sink& out) {
             check_subroutine(*block, out);
         }
     };
-    walk(first_, start_->offset);
+    walk(first_, mark_);
     walk(all ? *start_ : read_to_, UINT64_MAX);
     seen_subroutines_.clear();
 }

@@ -92,12 +92,14 @@ void ProgramText::read_start() {
         first_ = line_after(first_);
     }
     start_ = read_to_ = indexed_to_ = first_;
+    mark_ = first_.offset;
     const Block* block = decode(first_, looking_);
     const auto* sub = block ? subroutine_begin(*block) : nullptr;
     if (!sub || !sub->local) return;
     for (Cursor at = first_; text_->reach(at.offset); at = line_after(at))
         if (is_mark(at.offset)) {
             start_ = read_to_ = line_after(at);
+            mark_ = at.offset;
             return;
         }
 }

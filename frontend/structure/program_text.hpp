@@ -88,6 +88,7 @@ class ProgramText final : public program::Program {
     std::optional<program::Cursor> start_;
     program::Header header_;
     program::Cursor first_;    ///< behind the header line
+    std::uint64_t mark_ = 0;   ///< offset of the line that starts the main part; start() where there is none
     program::Cursor read_to_;  ///< blocks from start() to here have been read in line
     std::uint64_t blocks_read_ = 0;
     std::vector<Decoded> loop_;   ///< decoded blocks by offset; empty until the program jumps back

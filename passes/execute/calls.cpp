@@ -195,11 +195,10 @@ bool Executor::take_arguments(const std::vector<program::Assignment>& list, Argu
         if (t.kind == program::Target::Kind::letter) local = t.operand;
         if (t.kind == program::Target::Kind::parameter)
             local = static_cast<std::uint32_t>(session_.block->slots[t.slot].value);
-        if (local && *local < Parameters::local_count && out.count < out.list.size()) {
-            out.list[out.count++] = {*local, evaluator_.value(a.value)};
-        } else {
+        if (local && *local < Parameters::local_count)
+            out.set(*local, evaluator_.value(a.value));
+        else
             evaluator_.assign(a);
-        }
         if (session_.ends()) return false;
     }
     return true;
@@ -216,12 +215,8 @@ void Executor::call(const Found& found, const Arguments* arguments, std::uint32_
                 .number = s.number,
                 .more_runs = count - 1};
     if (!push(frame, *found.program, s.body) || !arguments) return;
-    variables_.call_parameters = 0;
-    for (std::size_t i = 0; i < arguments->count; ++i) {
-        const auto [number, value] = arguments->list[i];
-        *session_.parameters.find(number) = value;
-        variables_.call_parameters |= 1u << number;
-    }
+    variables_.call_parameters = arguments->given;
+    for (std::uint32_t n = 0; n < Parameters::local_count; ++n) *session_.parameters.find(n) = arguments->value[n];
 }
 
 /// The subroutine of an M or T function, or of G74: like CALL (8055 T 5.5).

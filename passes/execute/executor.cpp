@@ -66,8 +66,9 @@ bool Executor::begin() {
         return false;
     }
     next_ = root_.start();
-    result_.completed = holds_only_subroutines();  // a library: nothing to execute
-    return !result_.completed;
+    const bool library = holds_only_subroutines();
+    result_.completed = library && !session_.failed;
+    return !library && !session_.failed;
 }
 
 /// A file that begins with a SUB and ends with a RET defines subroutines and has no main part (8055-core 15). Its
@@ -119,9 +120,7 @@ void Executor::step(const program::Block& block) {
     if (std::holds_alternative<program::IsoBlock>(shape.body)) {
         iso_block(block);
     } else if (const auto* s = std::get_if<program::Statement>(&shape.body)) {
-        if (shape.repeat_slot && !repeats(*s))
-            return session_.report(Id::repetition_not_possible, shape.repeat_token, shape.repeat_token + 1);
-        statement(*s);
+        if (may_repeat(repeats(*s))) statement(*s);
     }
 }
 
@@ -142,6 +141,18 @@ bool Executor::repeats(const program::Statement& statement) const {
     return call && call->kind != program::Call::Kind::modal && call->kind != program::Call::Kind::by_g_code;
 }
 
+/// The repetition count of the block, if it has one, is in range and `allowed`.
+bool Executor::may_repeat(bool allowed) {
+    const program::BlockTemplate& shape = *session_.block->shape;
+    if (!shape.repeat_slot) return true;
+    const std::uint32_t most = session_.dialect.limits.repetitions;
+    if (!allowed)
+        session_.report(Id::repetition_not_possible, shape.repeat_token, shape.repeat_token + 1u);
+    else if (session_.block->slots[*shape.repeat_slot].value > most)
+        session_.report(Id::repetitions_out_of_range, shape.repeat_token, shape.repeat_token + 1u, most);
+    return !session_.failed;
+}
+
 /// The repetition count of the block, 1 where it has none.
 std::uint32_t Executor::runs() const {
     const program::Block& block = *session_.block;
@@ -152,10 +163,8 @@ std::uint32_t Executor::runs() const {
 void Executor::iso_block(const program::Block& block) {
     const program::IsoBlock* iso = &std::get<program::IsoBlock>(block.shape->body);
     if (block.shape->by_parameter && !(iso = bind_parameters(block))) return;
-    const program::BlockTemplate& shape = *session_.block->shape;
     // Only what moves under a modal call is executed N times (8055 T 2.4).
-    if (shape.repeat_slot && (!modal_ || !iso->has_axis))
-        return session_.report(Id::repetition_not_possible, shape.repeat_token, shape.repeat_token + 1);
+    if (!may_repeat(modal_ && iso->has_axis)) return;
 
     const IsoRunner::Outcome outcome = iso_.run(*iso);
     if (session_.ends()) return;

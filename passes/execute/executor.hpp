@@ -44,12 +44,12 @@ struct Frame {
 
 /// Values for the local parameters of a subroutine, evaluated in the level of the caller.
 struct Arguments {
-    struct One {
-        std::uint32_t number = 0;
-        double value = 0;
-    };
-    std::array<One, Parameters::local_count> list;
-    std::size_t count = 0;
+    std::array<double, Parameters::local_count> value{};
+    std::uint32_t given = 0;  ///< bit n: Pn has a value
+    void set(std::uint32_t number, double v) {
+        value[number] = v;
+        given |= 1u << number;
+    }
 };
 
 /// What MCALL or MEXEC left active: it runs after every block that moves an axis (8055 T 12.5, 12.8).
@@ -78,6 +78,7 @@ class Executor {
     bool fuel();
     void refuel();
     bool repeats(const program::Statement& statement) const;
+    bool may_repeat(bool allowed);
     std::uint32_t runs() const;
 
     // statements.cpp

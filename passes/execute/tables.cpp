@@ -50,7 +50,8 @@ void set_tool(Machine& m, long row, Axis, double value) {
 }
 
 double pocket_of_tool(const Machine& m, long number, Axis) {
-    return tool(m, number).pocket.value_or(-1);
+    const auto pocket = tool(m, number).pocket;
+    return pocket ? *pocket : -1.0;
 }
 
 /// Content of a pocket: the tool, 0 when it is empty (8055 T 11.2.2 TMZT).
