@@ -91,8 +91,9 @@ void IsoRunner::Control::reset() {
 
 IsoRunner::Outcome IsoRunner::Control::run(const IsoBlock& block) {
     outcome = {};
-    form = {};
     ++block_count;
+    if (form_used) form = {};
+    form_used = false;
     if (!(block.modal.empty() && block.functions.empty()) && !codes(block)) return outcome;
     if (block.tool || block.offset) tool_words(block);
     if (block.feed) set_feed(*block.feed);

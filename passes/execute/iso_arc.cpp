@@ -1,6 +1,7 @@
 // Arcs: by centre, by radius, polar, tangent, through three points; helices (8055 T 6.3 to 6.7).
 #include <cmath>
 
+#include "ir/base/arc.hpp"
 #include "passes/execute/iso_control.hpp"
 
 namespace fagorc::passes {
@@ -8,7 +9,7 @@ namespace fagorc::passes {
 using program::Distance;
 using program::Motion;
 using program::Word;
-using Form = IsoRunner::Control::ArcForm;
+using Form = ArcForm;
 
 namespace {
 

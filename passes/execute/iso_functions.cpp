@@ -66,6 +66,7 @@ bool IsoRunner::Control::code(const FunctionCall& call) {
     }
     if (row.group != Group::none) set_group(call);
     if (row.make == nullptr) return true;
+    form_used = true;
     const auto function = filled(call);
     return function && act(call, *function) && !session.ends();
 }
@@ -117,11 +118,13 @@ void IsoRunner::Control::set_group(const FunctionCall& call) {
         case Group::count_:
             return;
     }
+    form_used = form_used || form.surface != nullptr;
     if (m == before && m.corner != program::Corner::look_ahead) return;
     state_changed();
     if (changes_dimensions(row.group)) {
         units_changed();
         form.units = &call;
+        form_used = true;
     }
     if (row.group == Group::speed && m.speed == program::SpeedMode::rpm && before.speed != m.speed)
         speeds[0] = surface_rpm();  // without S the present speed is kept (8055 T 5.2)

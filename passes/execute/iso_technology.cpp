@@ -32,8 +32,8 @@ void IsoRunner::Control::set_feed(const Word& word) {
         return;
     }
     const bool inverse = state.modal.feed == FeedMode::inverse_time;
-    feeds[static_cast<std::size_t>(state.modal.feed)] = inverse ? v : v * unit;
-    technology_changed();
+    now.at.feed = feeds[static_cast<std::size_t>(state.modal.feed)] = inverse ? v : v * unit;
+    if (v == 0) cutting_checked = false;
 }
 
 void IsoRunner::Control::set_speed(const Word& word) {
