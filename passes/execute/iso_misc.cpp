@@ -1,6 +1,7 @@
 // M functions by the machine's table: before or after the motion, with their subroutines (8055 T 5.5).
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
 
 #include "passes/execute/iso_control.hpp"
 
@@ -42,7 +43,7 @@ void IsoRunner::Control::misc_by_parameter(const program::IsoBlock& block, const
     const auto value = whole(word);
     if (!value) return;
     if (*value > session.dialect.limits.misc) {
-        session.report(diag::Id::unknown_misc, word.token, word.end_token, "M" + std::to_string(*value),
+        session.report(diag::Id::unknown_misc, word.token, word.end_token, fmt::format("M{}", *value),
                        session.dialect.limits.misc);
         return;
     }
@@ -85,7 +86,7 @@ bool IsoRunner::Control::misc_company(const program::IsoBlock& block, const Func
     const bool calls =
         table != session.machine.misc.end() && table->second.subroutine && !in_subroutine_of(call.number);
     if (calls && (others || (!change && (block.tool || block.offset)))) {
-        session.report(diag::Id::must_be_alone, call.token, call.token + 1u, "M" + std::to_string(call.number));
+        session.report(diag::Id::must_be_alone, call.token, call.token + 1u, fmt::format("M{}", call.number));
         return false;
     }
     return true;
