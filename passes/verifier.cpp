@@ -54,7 +54,9 @@ class Verifier final : public Pass {
         arrive(o, a.end);
     }
     void verify(const Operation& o, const Dwell& d) { hold(d.seconds >= 0, o, "a dwell is negative"); }
-    void verify(const Operation&, const Event&) {}
+    void verify(const Operation&, const Event& e) {
+        if (e.kind == Event::Kind::home) start_.reset();  // the axes have gone to their home points
+    }
     void verify(const Operation&, const Barrier&) {}
 
     void arrive(const Operation& o, Point end) {
@@ -64,21 +66,22 @@ class Verifier final : public Pass {
         frame_ = o.at.frame;
         const State& state = environment().tables.states[o.at.state];
         plane_ = state.modal.plane;
-        offset_ = state.offset;
+        length_ = {state.length_z, state.length_x};
     }
 
     /// Whether the end of the move before is the start of this one in the same coordinates: an offset or tool that
     /// changes in between moves no axis, yet its coordinates change.
     bool same_frame(const Operation& o) const {
         const State& state = environment().tables.states[o.at.state];
-        return o.at.frame == frame_ && state.modal.plane == plane_ && state.offset == offset_;
+        return o.at.frame == frame_ && state.modal.plane == plane_ &&
+               length_ == Point{state.length_z, state.length_x};
     }
 
     std::string after_;
     std::optional<Point> start_;
     FrameId frame_{};
     Plane plane_;
-    std::uint16_t offset_ = 0;
+    Point length_;   ///< of the tool
 };
 
 }  // namespace

@@ -39,7 +39,7 @@ void IsoRunner::enable(program::Enable what) {
     operation::State& s = control_->state;
     switch (what.what) {
         case What::single_block:
-            s.single_block_joined = !what.on;
+            s.single_block_joined = what.on;
             break;
         case What::stop:
             s.stop_disabled = !what.on;
@@ -62,10 +62,11 @@ IsoRunner::Control::Control(Session& s) : session(s) {
                                                  : AxisWay::straight;
     }
     state.gear = 1;
-    now.others = programmed = s.machine.start;
     power_on();
-    if (s.machine.start_tool != 0) state.tool = s.machine.start_tool;
-    if (s.machine.start_offset != 0) select_offset(s.machine.start_offset);
+    state.tool = s.machine.start_tool;
+    select_offset(s.machine.start_offset);
+    now.others = programmed = s.machine.start;  // of the tip, with that tool
+    now.at.frame = s.tables.frames.intern({offsets.total(), false});
 }
 
 /// Gives each modal group its power-on setting; what survives M30 stays (8055 T 9.1).
@@ -74,6 +75,7 @@ void IsoRunner::Control::power_on() {
     state.turn = operation::SpindleTurn::stopped;
     state.speed_limit = 0;
     state.look_ahead = {};
+    state.stop_disabled = state.feed_hold_disabled = state.single_block_joined = false;
     motion_row = row_of(program::Group::motion, static_cast<std::uint8_t>(state.modal.motion));
     polar = {};
     feeds = {};
@@ -85,8 +87,9 @@ void IsoRunner::Control::power_on() {
 
 void IsoRunner::Control::reset() {
     power_on();
-    if (const auto row = session.machine.offsets.find(state.offset); row != session.machine.offsets.end())
-        state.nose = row->second.nose;  // HTOR ends (8055 T 11.2.2)
+    state.nose = offset_row(state.offset).nose;  // HTOR ends (8055 T 11.2.2)
+    waiting.clear();
+    queued_misc.reset();
 }
 
 IsoRunner::Outcome IsoRunner::Control::run(const IsoBlock& block) {

@@ -111,6 +111,7 @@ struct IsoRunner::Control {
     void tool_words(const program::IsoBlock& block);
     void select_tool(std::uint16_t number);
     void select_offset(std::uint16_t number);
+    machine::Offset offset_row(std::uint16_t number) const;
     std::optional<std::uint16_t> offset_of(std::uint16_t tool) const;
     void misc(const program::IsoBlock& block, bool before);
     void one_misc(const program::IsoBlock& block, const program::FunctionCall& call, bool before);

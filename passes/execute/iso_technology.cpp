@@ -190,14 +190,17 @@ void IsoRunner::Control::select_tool(std::uint16_t number) {
     state_changed();
 }
 
+/// D0 is all zero.
+machine::Offset IsoRunner::Control::offset_row(std::uint16_t number) const {
+    if (number == 0) return {};
+    const auto found = session.machine.offsets.find(number);
+    return found != session.machine.offsets.end() ? found->second : session.machine.default_offset;
+}
+
 /// A new offset moves nothing: the turret stays, so the tip stands elsewhere (8055 T 8.1).
 void IsoRunner::Control::select_offset(std::uint16_t number) {
     const double before_x = state.length_x, before_z = state.length_z;
-    machine::Offset row;  // D0: all zero
-    if (number != 0) {
-        const auto found = session.machine.offsets.find(number);
-        row = found != session.machine.offsets.end() ? found->second : session.machine.default_offset;
-    }
+    const machine::Offset row = offset_row(number);
     const bool diameter = session.machine.policy.wear_x == machine::Policies::WearX::diameter;
     state.offset = number;
     state.length_x = row.x + (diameter ? row.wear_x / 2 : row.wear_x);

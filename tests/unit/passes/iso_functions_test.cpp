@@ -208,6 +208,23 @@ TEST(IsoFunctions, ResetKeepsOffsetsAndTool) {
     EXPECT_TRUE(b.last<Line>().rapid);
 }
 
+TEST(IsoFunctions, StartOfTheMachineIsTheTip) {
+    auto lathe = sweep_lathe();
+    lathe.start[Axis::X] = 50;
+    lathe.start[Axis::Z] = 200;
+    lathe.start_tool = 2;
+    lathe.start_offset = 2;
+    lathe.offsets[2].x = 40;
+    lathe.offsets[2].z = 25;
+    IsoBench b(lathe);
+    EXPECT_EQ(b.variable("PPOS", Axis::X), 100);
+    b.run("G91 G00 Z1");
+    EXPECT_EQ(b.last<Line>().end, (Point{201, 50}));
+    EXPECT_EQ(b.frame(b.last_move()), operation::Frame{});
+    EXPECT_EQ(b.state(b.last_move()).length_x, 40);
+    EXPECT_EQ(b.state(b.last_move()).tool, 2);
+}
+
 TEST(IsoFunctions, StatesAreInternedOnce) {
     IsoBench b;
     b.run("G01 X1 F100\nG00 X2\nG01 X3\nG00 X4\nG01 X5");
@@ -264,7 +281,7 @@ TEST(IsoFunctions, VariablesThatTheProgramWrites) {
 TEST(IsoFunctions, StatesOfOtherStatements) {
     IsoBench b;
     b.runner.enable({program::Enable::What::stop, false});
-    b.runner.enable({program::Enable::What::single_block, false});
+    b.runner.enable({program::Enable::What::single_block, true});
     b.run("G00 X1");
     EXPECT_TRUE(b.state(b.last_move()).stop_disabled);
     EXPECT_TRUE(b.state(b.last_move()).single_block_joined);
