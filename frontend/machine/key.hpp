@@ -90,8 +90,8 @@ std::span<const Key> misc_keys();
 std::span<const Key> policy_keys();
 /// Parameters of the control that change nothing of what a program does; they are kept by name.
 std::span<const std::string_view> other_parameters();
-/// Whether a name is one by which programs read machine parameters: MPG12, MPX5, MPS0, MPSS3, MPAS1, MPLC4
-/// (8055 T 11.2.3).
-bool is_parameter_variable(std::string_view name);
+/// Whether a key is kept by its name: one of those, or a variable by which programs read machine parameters: MPG12,
+/// MPX5, MPS0, MPSS3, MPAS1, MPLC4 (8055 T 11.2.3).
+bool is_kept_by_name(std::string_view name);
 
 }  // namespace fagorc::frontend::machine_file

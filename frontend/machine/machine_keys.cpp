@@ -171,7 +171,8 @@ std::span<const std::string_view> other_parameters() {
     return others;
 }
 
-bool is_parameter_variable(std::string_view name) {
+bool is_kept_by_name(std::string_view name) {
+    if (std::find(std::begin(others), std::end(others), name) != std::end(others)) return true;
     const std::size_t digits = name.find_first_of("0123456789");
     if (digits == std::string_view::npos || digits < 3 || name.size() - digits > 4) return false;
     const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };

@@ -148,13 +148,10 @@ void Reader::general(const toml::table& table) {
     if (const toml::node* value = table.get("control")) control(*value);
     for (const auto& [key, value] : table) {
         const std::string_view name = key.str();
-        const bool by_variable = is_parameter_variable(name);
-        if (by_variable) also.push_back(name);
-        if (!by_variable &&
-            std::find(other_parameters().begin(), other_parameters().end(), name) == other_parameters().end())
-            continue;
-        const auto v =
-            value.is_boolean() ? std::optional(value.as_boolean()->get() ? 1.0 : 0.0) : number(name, value, false);
+        if (!is_kept_by_name(name)) continue;
+        also.push_back(name);
+        const auto* truth = value.as_boolean();
+        const auto v = truth ? std::optional(truth->get() ? 1.0 : 0.0) : number(name, value, false);
         if (v) machine_.other_parameters[std::string(name)] = *v;
     }
     keys(table, machine_keys(), &machine_, also);
