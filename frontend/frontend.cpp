@@ -155,6 +155,11 @@ Library& Workspace::library() {
     return *implementation_;
 }
 
+Program* Workspace::program(diag::FileId file) const {
+    const auto n = static_cast<std::size_t>(file);
+    return n < implementation_->sources.size() ? implementation_->sources[n].program.get() : nullptr;
+}
+
 Statistics Workspace::statistics() const {
     const auto& i = *implementation_;
     Statistics s{0, i.shapes.shapes(), i.maker.calls()};

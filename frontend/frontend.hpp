@@ -41,6 +41,8 @@ class Workspace {
     diag::FileId add_text(std::string name, std::string text);
 
     program::Library& library();
+    /// The program of a file number; null for one that is no program.
+    program::Program* program(diag::FileId file) const;
     Statistics statistics() const;
 
     /// For reporters: the name of a file and the text of the line that starts at an offset.
