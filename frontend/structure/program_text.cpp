@@ -73,6 +73,11 @@ const program::Header& ProgramText::header() {
     return header_;
 }
 
+Cursor ProgramText::first() {
+    read_start();
+    return first_;
+}
+
 Cursor ProgramText::start() {
     read_start();
     return *start_;

@@ -39,6 +39,7 @@ class ProgramText final : public program::Program {
     diag::FileId file() const override { return file_; }
     std::optional<std::uint32_t> number() const override { return number_; }
     const program::Header& header() override;
+    program::Cursor first() override;
     program::Cursor start() override;
     const program::Block* read(program::Cursor at) override;
     const program::Block* rebind(const program::Block& original, std::string_view text, diag::Sink& out) override;

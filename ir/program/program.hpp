@@ -37,6 +37,8 @@ class Program {
     virtual std::optional<std::uint32_t> number() const = 0;
     virtual const Header& header() = 0;
 
+    /// The first block of the text, behind the header line.
+    virtual Cursor first() = 0;
     /// Where execution starts: after the header, and after the local subroutines and their `%` mark (8055 T 2.7).
     virtual Cursor start() = 0;
     /// The block at a cursor; null at the end of the text. It stays until the next read: no other question moves it.

@@ -37,7 +37,6 @@ class Printer final : public operation::Sink {
 template <class Show>
 void print_blocks(Part& part, Show show) {
     program::Program& program = part.program();
-    program.header();
     program::Cursor at = program.first();
     while (const program::Block* block = program.read(at)) {
         print(std::to_string(block->here.line) + ' ' + show(*block) + '\n');

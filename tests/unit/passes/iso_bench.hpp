@@ -32,6 +32,7 @@ struct EmptyProgram : program::Program {
     diag::FileId file() const override { return diag::FileId{0}; }
     std::optional<std::uint32_t> number() const override { return 1234; }
     const program::Header& header() override { return head; }
+    program::Cursor first() override { return {}; }
     program::Cursor start() override { return {}; }
     const program::Block* read(program::Cursor) override { return nullptr; }
     const program::Block* rebind(const program::Block&, std::string_view, diag::Sink&) override { return nullptr; }
