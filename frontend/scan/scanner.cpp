@@ -220,6 +220,7 @@ class Run {
             if (value > 0xffff) value = 0xffff;  // beyond every table
             to = p;
         }
+        if (*p == '.') return token(program::letter_token(c), from, from + 1);  // M0.5: an operand of a cycle
         token(c == 'G' ? Token::g_code : Token::m_code, static_cast<std::uint16_t>(value), from, to);
     }
 

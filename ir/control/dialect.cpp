@@ -18,6 +18,21 @@ const SisterCode* Dialect::find_sister(char letter, std::uint16_t number) const 
     return at != sister_codes.end() ? &*at : nullptr;
 }
 
+std::string_view Dialect::word(program::Token kind, std::uint16_t payload) const {
+    const auto at = std::find_if(words.begin(), words.end(), [=](const ReservedWord& w) {
+        return w.token == kind && w.payload == payload;
+    });
+    return at != words.end() ? at->text : std::string_view();
+}
+
+std::string Dialect::variable_name(std::uint16_t payload) const {
+    const std::uint16_t row = variable_row(payload);
+    if (row >= variables.size()) return {};
+    std::string full(variables[row].name);
+    if (const int axis = variable_axis(payload); axis >= 0) full += letter(all_axes[static_cast<std::size_t>(axis)]);
+    return full;
+}
+
 const StatementRow* Dialect::find_statement(std::string_view word) const {
     const auto at =
         std::find_if(statements.begin(), statements.end(), [=](const StatementRow& r) { return r.word == word; });

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -98,6 +99,10 @@ struct Dialect {
     const Construct* find(char letter, std::uint16_t number) const;
     /// The code of the sister model; null where that has none either.
     const SisterCode* find_sister(char letter, std::uint16_t number) const;
+    /// The text of a keyword, function or relation; empty where the control has no such word.
+    std::string_view word(program::Token kind, std::uint16_t payload) const;
+    /// The name of a variable with its axis letter: "POSX". Empty for a payload of no row.
+    std::string variable_name(std::uint16_t payload) const;
     /// The row of a statement's word ("GOTO"); null where the control has none.
     const StatementRow* find_statement(std::string_view word) const;
 };

@@ -19,7 +19,13 @@ struct Finding {
     diag::Id id{};
     std::uint16_t token = 0, end_token = 0;
     std::vector<diag::Argument> arguments;
+    std::uint32_t limit = 0;         ///< too_many_assignments: how many destinations a block may have
 };
+
+/// Findings that hold only for some blocks of a shape: `diagnostic_of` looks at the text (ir/program/findings.hpp).
+constexpr bool depends_on_text(diag::Id id) {
+    return id == diag::Id::empty_block || id == diag::Id::too_many_assignments || id == diag::Id::lower_case_word;
+}
 
 /// What all blocks of one shape have in common.
 struct BlockTemplate {
@@ -28,7 +34,7 @@ struct BlockTemplate {
     std::optional<std::uint16_t> repeat_slot;    ///< N at the end
     std::uint16_t repeat_token = 0;
     bool by_parameter = false;                   ///< a G code comes from a parameter (GP1): bound when it is executed
-    bool broken = false;                         ///< a syntax error: the block has findings and no body
+    bool broken = false;                         ///< an error: the block has findings and no body
     std::variant<std::monostate, IsoBlock, Statement> body;
     std::vector<Word> words;                     ///< pool of the word runs
     std::vector<Node> nodes;                     ///< pool of the expressions

@@ -10,11 +10,13 @@ namespace fagorc::program {
 /// What a node does to the stack of values.
 enum class Operator : std::uint8_t {
     number,        ///< push the value of slot `slot`
+    constant,      ///< push `operand` itself: a number that is part of the shape (the subroutine that G180 calls)
     pi,
     parameter,     ///< push parameter number = value of slot `slot` (P100)
     letter,        ///< push local parameter `operand` (A = 0 .. Z = 25)
     indirect,      ///< pop a parameter number, push that parameter: P(expression)
     variable,      ///< push variable `operand` (payload of its token); with an index: pop the index first
+    entry,         ///< pop the number of a data-entry variable, push its value: IB5 (8055 T 12.9)
     position,      ///< GPOS: pop the program number, pop the label, push the coordinate
     negate, not_,
     add, subtract, multiply, divide, power, modulo,

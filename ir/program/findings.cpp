@@ -2,8 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <set>
 #include <string>
+#include <tuple>
+#include <variant>
+
+#include "ir/diag/catalogue.hpp"
 
 namespace fagorc::program {
 namespace {
@@ -70,16 +76,50 @@ diag::Argument shown(std::string_view bytes, const CharacterName* name) {
     return hexadecimal;
 }
 
-void report_character(const diag::Place& place, std::string_view bytes, diag::Sink& out) {
-    if (bytes.starts_with('"')) return out.report(diag::Id::text_not_closed, place);
+diag::Diagnostic strange_character(const diag::Place& place, std::string_view bytes) {
+    if (bytes.starts_with('"')) return {diag::Id::text_not_closed, place, {}, {}};
     const CharacterName* name = name_of_character(bytes);
     const char32_t code = code_point(bytes);
     const bool fullwidth = code >= 0xFF01 && code <= 0xFF5E;
     const char ascii = fullwidth ? static_cast<char>(code - 0xFEE0) : name ? name->looks_like : '\0';
-    if (!ascii) return out.report(diag::Id::strange_character, place, shown(bytes, name));
-    static constexpr Text blank{"a blank", "un espace", "un espacio"};
-    out.report(diag::Id::look_alike_character, place, name->name,
-               ascii == ' ' ? diag::Argument(blank) : diag::Argument(ascii));
+    if (!ascii) return {diag::Id::strange_character, place, {shown(bytes, name)}, {}};
+    static constexpr Text blank{"a blank", "une espace", "un espacio"};
+    return {diag::Id::look_alike_character,
+            place,
+            {name->name, ascii == ' ' ? diag::Argument(blank) : diag::Argument(ascii)},
+            {}};
+}
+
+std::string_view text_of(const Block& block, const PlacedToken& token) {
+    return block.text.substr(std::min<std::size_t>(token.at, block.text.size()), token.length);
+}
+
+bool is_lower(char c) {
+    return c >= 'a' && c <= 'z';
+}
+
+/// The first word with lower-case letters; texts may hold them.
+std::optional<diag::Diagnostic> lower_case(Program& program, const Block& block) {
+    const auto tokens = program.tokens(block);
+    for (std::uint32_t i = 0; i < tokens.size(); ++i) {
+        if (tokens[i].kind == Token::text || tokens[i].kind == Token::invalid) continue;
+        const std::string_view word = text_of(block, tokens[i]);
+        if (std::any_of(word.begin(), word.end(), is_lower))
+            return diag::Diagnostic{diag::Id::lower_case_word, program.place(block, i, i + 1), {word}, {}};
+    }
+    return std::nullopt;
+}
+
+/// Assignments to one destination count as one (8055 T 12.1). What an index computes is not known here, so each of
+/// those is a destination of its own.
+std::size_t destinations(const Block& block, const Assign& assign) {
+    std::set<std::tuple<Target::Kind, std::uint16_t, double, std::uint16_t>> all;
+    for (const Assignment& a : assign.list) {
+        const Target& t = a.target;
+        const double number = t.kind == Target::Kind::parameter ? block.slots[t.slot].value : 0;
+        all.emplace(t.kind, t.operand, number, t.index.present() ? t.token : std::uint16_t{0});
+    }
+    return all.size();
 }
 
 }  // namespace
@@ -93,18 +133,32 @@ const CharacterName* name_of_character(std::string_view bytes) {
     return nullptr;
 }
 
-void report_findings(Program& program, const Block& block, diag::Sink& out) {
-    if (block.shape->findings.empty()) return;
-    const auto tokens = program.tokens(block);
-    for (const Finding& f : block.shape->findings) {
-        const diag::Place place = tokens.empty() ? program.place(block) : program.place(block, f.token, f.end_token);
-        if (f.id == diag::Id::strange_character && f.token < tokens.size()) {
-            report_character(place, block.text.substr(tokens[f.token].at, tokens[f.token].length), out);
-            continue;
-        }
-        diag::Diagnostic d{f.id, place, f.arguments, {}};
-        out.report(std::move(d));
+std::optional<diag::Diagnostic> diagnostic_of(Program& program, const Block& block, const Finding& finding) {
+    using diag::Id;
+    if (finding.id == Id::lower_case_word) return lower_case(program, block);
+    if (finding.id == Id::empty_block && block.text.find(';') != std::string_view::npos) return std::nullopt;
+    if (finding.id == Id::too_many_assignments) {
+        const auto* s = std::get_if<Statement>(&block.shape->body);
+        const auto* assign = s ? std::get_if<Assign>(&s->what) : nullptr;
+        if (assign && destinations(block, *assign) <= finding.limit) return std::nullopt;
     }
+    const diag::Place place = program.place(block, finding.token, finding.end_token);
+    if (finding.id == Id::strange_character) {
+        const auto tokens = program.tokens(block);
+        if (finding.token < tokens.size()) return strange_character(place, text_of(block, tokens[finding.token]));
+    }
+    return diag::Diagnostic{finding.id, place, finding.arguments, {}};
+}
+
+bool report_findings(Program& program, const Block& block, diag::Sink& out) {
+    bool error = false;
+    for (const Finding& f : block.shape->findings) {
+        auto d = diagnostic_of(program, block, f);
+        if (!d) continue;
+        error = error || diag::row(d->id).severity == diag::Severity::error;
+        out.report(std::move(*d));
+    }
+    return error;
 }
 
 }  // namespace fagorc::program

@@ -16,11 +16,12 @@ struct Construct;
 
 namespace fagorc::program {
 
-/// The value of a word: a number of the block, or a parameter with a sign (`X-P3`), or nothing (`G04 K`, `G74 X`).
+/// The value of a word: a number of the block, or a parameter with a sign (`X-P3`), or nothing (`G04 K`, `G74 X`), or a
+/// whole number that stands in the shape itself (`G68 ... M2`: the digits after M are no slot).
 struct WordValue {
-    enum class Kind : std::uint8_t { none, number, parameter } kind = Kind::none;
+    enum class Kind : std::uint8_t { none, number, parameter, literal } kind = Kind::none;
     bool negative = false;           ///< parameter only: a number carries its own sign
-    std::uint16_t slot = 0;          ///< number: the value; parameter: its number
+    std::uint16_t slot = 0;          ///< number: the value; parameter: its number; literal: the value itself
 };
 
 /// A letter and its value.
@@ -61,7 +62,7 @@ struct Target {
     enum class Kind : std::uint8_t { parameter, letter, indirect, variable } kind = Kind::parameter;
     std::uint16_t operand = 0;       ///< letter: 0..25; variable: payload of its token
     std::uint16_t slot = 0;          ///< parameter: the slot that holds its number
-    Expression index;                ///< indirect: the number; variable: the table index, if it has one
+    Expression index{};              ///< indirect: the number; variable: the table index, if it has one
     std::uint16_t token = 0;
 };
 

@@ -11,6 +11,8 @@ namespace fagorc::program {
 /// Kinds of token. The values are the bytes of a shape key, so a shape is readable and small.
 /// A letter that stands alone is its own token: 'A'..'Z'. In an ISO block that is an address, between the
 /// parentheses of a high-level block the name of a local parameter.
+/// Outside parentheses a sign before a number belongs to the number (`X-10`); between them it is a token (`A-5` may be
+/// a difference or give A the value -5: only the grammar knows).
 /// Kinds from `first_with_payload` on are followed by two more key bytes, a number of 0..65535 (little end first).
 enum class Token : std::uint8_t {
     end = 0,
@@ -19,12 +21,14 @@ enum class Token : std::uint8_t {
     left_parenthesis = '(', right_parenthesis = ')', comma = ',', equals = '=', plus = '+', minus = '-', times = '*',
     divide = '/', question = '?', percent = '%',
     letter_a = 'A', letter_z = 'Z',
-    lower_case = 'l',     ///< first byte of a key whose block has lower-case letters outside comments and texts
+    lower_case = 'l',     ///< first byte of a key whose block has lower-case letters outside comments and texts; a mark
+                          ///< and no token: tokens are counted after it
     invalid = '!',        ///< a character that no block can hold; its span is a slot of the block
 
     first_with_payload = 0x80,
-    g_code = 0x80,        ///< G and its digits: payload = the number
-    m_code,               ///< M and its digits
+    g_code = 0x80,        ///< G and its digits, outside parentheses: payload = the number. With a sign, a point or too
+                          ///< many digits it is the letter and a number
+    m_code,               ///< M and its digits, likewise (`M0.5` is a word of a cycle, 8055 T 9)
     skip,                 ///< `/` `/1` `/2` `/3` at the start of a block: payload = the mark, 1 for a bare `/`
     // words of the high-level language, recognised by longest prefix over the control's tables
     keyword,              ///< payload = program::Keyword

@@ -125,13 +125,10 @@ void Executor::step(const program::Block& block) {
 }
 
 void Executor::report_findings(const program::Block& block) {
-    const auto& findings = block.shape->findings;
-    if (findings.empty()) return;
-    if (told_.emplace(session_.program->file(), block.here.offset).second)
-        program::report_findings(*session_.program, block, session_.diagnostics);
-    session_.failed = session_.failed || std::any_of(findings.begin(), findings.end(), [](const program::Finding& f) {
-                          return diag::row(f.id).severity == diag::Severity::error;
-                      });
+    if (block.shape->findings.empty()) return;
+    if (told_.emplace(session_.program->file(), block.here.offset).second &&
+        program::report_findings(*session_.program, block, session_.diagnostics))
+        session_.failed = true;
 }
 
 /// RPT, CALL, PCALL and LL may be repeated, no other statement (8055 T 2.4; core sheet 2.4).

@@ -104,6 +104,12 @@ double Evaluator::other(const Node& node, double*& below, double top) {
         case Operator::pi:
             *below++ = top;
             return std::numbers::pi;
+        case Operator::constant:
+            *below++ = top;
+            return node.operand;
+        case Operator::entry:  // what an operator types
+            session_.wanted = "IB";
+            return unknown_value;
         case Operator::negate:
             return -top;
         case Operator::not_:
