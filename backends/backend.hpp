@@ -22,7 +22,7 @@ class Programs {
     /// The whole text, as its bytes are. Asked for when all operations have come.
     virtual std::string_view text(diag::FileId file) const = 0;
     /// Where an operation was programmed, for findings about it.
-    virtual diag::Place place(const operation::Context& at) = 0;
+    virtual diag::Place place(const operation::Context& at) const = 0;
 };
 
 /// One compilation; what it refers to outlives the backend.
@@ -30,7 +30,7 @@ struct Job {
     const operation::Tables& tables;
     const std::vector<std::string>& texts;  ///< of message events, by Event::text; grows while operations come
     const machine::Machine& machine;
-    Programs& programs;
+    const Programs& programs;
     diag::Sink& diagnostics;
     std::string producer;  ///< name and version of the program that compiles: "fagorc 0.1.0"
 };

@@ -62,11 +62,16 @@ class TrajectoryWriter final : public NumberingSink {
     }
     void put(const Operation& o, const operation::Event& e) {
         using Kind = operation::Event::Kind;
-        event(o, static_cast<std::uint8_t>(e.kind), e.axes, e.value, e.text);
+        const auto kind = static_cast<std::uint8_t>(e.kind);
         completed_ = completed_ || e.kind == Kind::program_end;
-        if (e.kind != Kind::home) return;
-        flush();  // as in push
+        if (e.kind != Kind::home) return event(o, kind, e.axes, e.value, e.text);
         position_.home(o, e.axes);
+        for (Axis a : all_axes) {
+            AxisSet one;
+            one.add(a);
+            if (e.axes.has(a)) event(o, kind, one, position_.axes()[a], 0);
+        }
+        flush();  // as in push
     }
 
     /// `extra`: an arc's centre; v lead and u start angle of a thread; v seconds of a dwell.

@@ -25,7 +25,7 @@ struct SomePrograms : backends::Programs {
     std::vector<One> list;
     std::string_view name(diag::FileId file) const override { return list.at(static_cast<std::size_t>(file)).name; }
     std::string_view text(diag::FileId file) const override { return list.at(static_cast<std::size_t>(file)).text; }
-    diag::Place place(const operation::Context& at) override { return {diag::FileId{0}, at.line, 1, 2, 0}; }
+    diag::Place place(const operation::Context& at) const override { return {diag::FileId{0}, at.line, 1, 2, 0}; }
 };
 
 /// A stream of operations: each call makes one, in the state that `now` and `at` hold.

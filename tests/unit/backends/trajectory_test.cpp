@@ -95,6 +95,7 @@ TEST(Trajectory, ChainsEventsAndTextsComeBack) {
     EXPECT_EQ(t.event(3)->kind, 255);
     EXPECT_EQ(t.event(3)->before, 6u);
     EXPECT_EQ(t.event(4)->axes, 1);
+    EXPECT_EQ(t.event(4)->value, 250) << "where the home search of X ends";
     EXPECT_EQ(t.event(5)->before, t.moves());
     EXPECT_EQ(t.first_event_before(0), 0u);
     EXPECT_EQ(t.first_event_before(1), 2u);
