@@ -6,7 +6,8 @@ namespace fagorc::operation {
 namespace {
 
 std::string point(std::string_view prefix, Point p, Plane plane) {
-    return fmt::format(" {}{}={:.6f} {}{}={:.6f}", prefix, letter(plane.u), p.u + 0.0, prefix, letter(plane.v), p.v + 0.0);
+    return fmt::format(" {}{}={:.6f} {}{}={:.6f}", prefix, letter(plane.u), p.u + 0.0, prefix, letter(plane.v),
+                       p.v + 0.0);
 }
 
 std::string feed(const Operation& o, const State& state) {
@@ -24,10 +25,13 @@ std::string text(const Arc& a, const Operation& o, const State& s) {
 std::string text(const Thread& t, const Operation&, const State& s) {
     return "thread" + point("", t.end, s.modal.plane) + fmt::format(" lead={:.6f} angle={:.6f}", t.lead, t.angle);
 }
-std::string text(const Dwell& d, const Operation&, const State&) { return fmt::format("dwell {:.6f} s", d.seconds); }
+std::string text(const Dwell& d, const Operation&, const State&) {
+    return fmt::format("dwell {:.6f} s", d.seconds);
+}
 std::string text(const Event& e, const Operation&, const State&) {
-    static constexpr std::string_view names[] = {"misc", "spindle_angle", "live_tool", "tool", "offset", "message",
-                                                 "error", "home", "graphic_zone", "program_end"};
+    static constexpr std::string_view names[] = {"misc",         "spindle_angle", "live_tool", "tool",
+                                                 "offset",       "message",       "error",     "home",
+                                                 "graphic_zone", "program_end"};
     std::string line = fmt::format("event {} {}", names[static_cast<std::size_t>(e.kind)], e.value);
     for (Axis a : all_axes)
         if (e.axes.has(a)) line += std::string(" ") + letter(a);

@@ -31,10 +31,20 @@ struct Form {
 };
 
 constexpr Form forms[] = {
-    {"ftj", ".ftj", [](const backends::Job& j, backends::Output& o, const Options&) { return backends::make_trajectory_writer(j, o); }},
-    {"iso", ".iso.nc.ngc.tap", [](const backends::Job& j, backends::Output& o, const Options& p) { return backends::make_iso_writer(j, o, {.map = p.map}); }},
-    {"csv", ".csv", [](const backends::Job& j, backends::Output& o, const Options& p) { return backends::make_csv_writer(j, o, {.part_frame = p.frame == "part", .events = p.events}); }},
-    {"json", ".json", [](const backends::Job& j, backends::Output& o, const Options&) { return backends::make_json_writer(j, o); }},
+    {"ftj", ".ftj",
+     [](const backends::Job& j, backends::Output& o, const Options&) {
+         return backends::make_trajectory_writer(j, o);
+     }},
+    {"iso", ".iso.nc.ngc.tap",
+     [](const backends::Job& j, backends::Output& o, const Options& p) {
+         return backends::make_iso_writer(j, o, {.map = p.map});
+     }},
+    {"csv", ".csv",
+     [](const backends::Job& j, backends::Output& o, const Options& p) {
+         return backends::make_csv_writer(j, o, {.part_frame = p.frame == "part", .events = p.events});
+     }},
+    {"json", ".json",
+     [](const backends::Job& j, backends::Output& o, const Options&) { return backends::make_json_writer(j, o); }},
 };
 
 /// The form that `--to` names, else that of the output's suffix, else the trajectory file; null for an unknown suffix.
@@ -50,7 +60,8 @@ const Form* form_of(const Options& o) {
 
 void print_statistics(Part& part, double seconds, std::uint64_t moves) {
     const frontend::Statistics s = part.workspace().statistics();
-    std::fprintf(stderr, "blocks %llu\nshapes %llu\nparser calls %llu\nmoves %llu\nseconds %.6f\nblocks per second %.0f\n",
+    std::fprintf(stderr,
+                 "blocks %llu\nshapes %llu\nparser calls %llu\nmoves %llu\nseconds %.6f\nblocks per second %.0f\n",
                  static_cast<unsigned long long>(s.blocks), static_cast<unsigned long long>(s.shapes),
                  static_cast<unsigned long long>(s.parser_calls), static_cast<unsigned long long>(moves), seconds,
                  seconds > 0 ? static_cast<double>(s.blocks) / seconds : 0);
@@ -60,7 +71,8 @@ Exit compile(Options& o) {
     const auto begin = std::chrono::steady_clock::now();
     const Form* form = form_of(o);
     if (!form) {
-        std::fprintf(stderr, "fagorc: no form of output ends in the suffix of %s; choose one with --to\n", o.output.c_str());
+        std::fprintf(stderr, "fagorc: no form of output ends in the suffix of %s; choose one with --to\n",
+                     o.output.c_str());
         return Exit::could_not_run;
     }
     if (o.output.empty())
@@ -81,7 +93,8 @@ Exit compile(Options& o) {
     const bool failed = output->failure().has_value();
     console.finish();
     if (o.settings.statistics)
-        print_statistics(part, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), progress.moves());
+        print_statistics(part, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
+                         progress.moves());
     if (found == Exit::ok && !failed && !o.settings.quiet && o.settings.format == "human")
         std::fprintf(stderr, "%s -> %s: %llu moves of %llu blocks on the %s\n", o.part.c_str(), o.output.c_str(),
                      static_cast<unsigned long long>(progress.moves()), static_cast<unsigned long long>(result.blocks),

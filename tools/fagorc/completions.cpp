@@ -62,7 +62,8 @@ std::string zsh(const std::vector<CommandRow>& rows) {
         cases += fmt::format("        {}) _arguments", c.name);
         for (const OptionRow& o : c.options) {
             std::string description;
-            for (char ch : quoted(o.description)) description += std::string(ch == '[' || ch == ']' || ch == ':' ? "\\" : "") + ch;
+            for (char ch : quoted(o.description))
+                description += std::string(ch == '[' || ch == ']' || ch == ':' ? "\\" : "") + ch;
             const std::string value = o.value.empty()     ? ""
                                       : o.choices.empty() ? ":value:_files"
                                                           : fmt::format(":value:({})", fmt::join(o.choices, " "));
@@ -87,12 +88,16 @@ std::string fish(const std::vector<CommandRow>& rows) {
     std::string out;
     for (const CommandRow& c : rows) {
         if (c.name.empty()) continue;
-        out += fmt::format("complete -c fagorc -n __fish_use_subcommand -a {} -d '{}'\n", c.name, quoted(c.description));
+        out +=
+            fmt::format("complete -c fagorc -n __fish_use_subcommand -a {} -d '{}'\n", c.name, quoted(c.description));
         for (const OptionRow& o : c.options) {
             out += fmt::format("complete -c fagorc -n '__fish_seen_subcommand_from {}'", c.name);
-            for (const std::string& n : o.names) out += n.starts_with("--") ? " -l " + n.substr(2) : " -s " + n.substr(1);
-            if (!o.choices.empty()) out += fmt::format(" -xa '{}'", fmt::join(o.choices, " "));
-            else if (!o.value.empty()) out += " -r";
+            for (const std::string& n : o.names)
+                out += n.starts_with("--") ? " -l " + n.substr(2) : " -s " + n.substr(1);
+            if (!o.choices.empty())
+                out += fmt::format(" -xa '{}'", fmt::join(o.choices, " "));
+            else if (!o.value.empty())
+                out += " -r";
             out += fmt::format(" -d '{}'\n", quoted(o.description));
         }
     }
@@ -104,7 +109,9 @@ std::string fish(const std::vector<CommandRow>& rows) {
 void add_completions(CLI::App& app, Exit& exit) {
     auto shell = std::make_shared<std::string>();
     CLI::App* command = app.add_subcommand("completions", "Print completions for a shell");
-    command->add_option("SHELL", *shell, "bash, zsh or fish")->required()->check(CLI::IsMember({"bash", "zsh", "fish"}));
+    command->add_option("SHELL", *shell, "bash, zsh or fish")
+        ->required()
+        ->check(CLI::IsMember({"bash", "zsh", "fish"}));
     command->footer(
         "Examples:\n"
         "  fagorc completions bash > /etc/bash_completion.d/fagorc\n"

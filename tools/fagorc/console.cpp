@@ -13,7 +13,9 @@ constexpr std::size_t most_findings = 200;
 /// Files of one workspace.
 constexpr std::uint32_t files_per_part = 1u << 16;
 
-const char* environment(const char* name) { return std::getenv(name); }
+const char* environment(const char* name) {
+    return std::getenv(name);
+}
 
 }  // namespace
 
@@ -36,7 +38,8 @@ class Console::PartSink final : public diag::Sink {
 
   private:
     void move(diag::Place& p) const {
-        if (p.file != diag::FileId::none) p.file = static_cast<diag::FileId>(static_cast<std::uint32_t>(p.file) + base_);
+        if (p.file != diag::FileId::none)
+            p.file = static_cast<diag::FileId>(static_cast<std::uint32_t>(p.file) + base_);
     }
     const frontend::Workspace*& workspace_;
     std::uint32_t base_;
@@ -68,7 +71,9 @@ Exit Console::outcome() const {
     return diag::fails(once_->counts(), deny_warnings_) ? Exit::errors_found : Exit::ok;
 }
 
-void Console::finish() { reporter_->finish(once_->counts(), once_->left_out()); }
+void Console::finish() {
+    reporter_->finish(once_->counts(), once_->left_out());
+}
 
 std::pair<const frontend::Workspace*, diag::FileId> Console::resolve(diag::FileId file) const {
     const auto n = static_cast<std::uint32_t>(file);

@@ -5,23 +5,30 @@
 #include <memory>
 #include <string>
 
-#include "frontend/bind/describe.hpp"
+#include "backends/output.hpp"
+#include "backends/table/csv.hpp"
 #include "frontend/scan/readable_key.hpp"
 #include "frontend/scan/scanner.hpp"
 #include "ir/operation/describe.hpp"
+#include "ir/program/describe.hpp"
 #include "tools/fagorc/commands.hpp"
 #include "tools/fagorc/part.hpp"
-#include "tools/fagorc/trajectory_dump.hpp"
+#include "tools/fagorc/trajectory/file.hpp"
+#include "tools/fagorc/trajectory/replay.hpp"
+#include "tools/fagorc/trajectory/trajectory.hpp"
 
 namespace fagorc::tool {
 namespace {
 
 struct Options {
     Settings settings;
-    std::string part, stage, after, form;
+    std::string part, stage, after, form, frame = "machine";
+    bool events = false;
 };
 
-void print(const std::string& line) { std::fwrite(line.data(), 1, line.size(), stdout); }
+void print(const std::string& line) {
+    std::fwrite(line.data(), 1, line.size(), stdout);
+}
 
 /// Prints operations as they arrive.
 class Printer final : public operation::Sink {
@@ -53,10 +60,35 @@ void print_syntax(Part& part) {
     });
 }
 
-Exit dump(const Options& o) {
-    if (o.stage.empty() && o.after.empty()) {
-        if (const auto exit = dump_trajectory_file(o.part, o.form)) return *exit;
+constexpr std::string_view trajectory_suffix = ".ftj";
+
+/// A trajectory file as text, or its moves as a table.
+Exit dump_file(const Options& o) {
+    Console console(o.settings, stderr);
+    const frontend::Workspace* no_programs = nullptr;
+    diag::Sink& out = console.sink_of(no_programs);
+    FileBytes file;
+    if (!file.open(o.part, out)) {
+        console.finish();
+        return Exit::could_not_run;
     }
+    const auto output = backends::open_standard_output();
+    if (o.form.empty()) {
+        dump_trajectory(o.part, file.bytes(), *output, out);
+    } else if (verify_trajectory(o.part, file.bytes(), out)) {
+        player::Trajectory trajectory;
+        if (trajectory.open(file.bytes()) != player::Status::ok) return Exit::could_not_run;  // verified just before
+        const Replay replay(trajectory);
+        const backends::CsvOptions csv{.part_frame = o.frame == "part", .events = o.events};
+        replay.run(*backends::make_csv_writer(replay.job(out), *output, csv));
+    }
+    if (!output->finish()) out.report(*output->failure());
+    console.finish();
+    return output->failure() ? Exit::could_not_run : console.outcome();
+}
+
+Exit dump(const Options& o) {
+    if (o.part.ends_with(trajectory_suffix)) return dump_file(o);
     Console console(o.settings, stderr);
     Part part(o.settings, console);
     if (!part.load(o.part)) {
@@ -66,12 +98,12 @@ Exit dump(const Options& o) {
     if (o.stage == "syntax") {
         print_syntax(part);
     } else if (o.stage == "program") {
-        print_blocks(part, [&](const program::Block& b) { return frontend::describe(*b.shape, part.dialect()); });
+        print_blocks(part, [&](const program::Block& b) { return program::describe(*b.shape, part.dialect()); });
     } else {
         Printer printer(part.tables());
-        const std::string_view stop =
-            !o.after.empty() ? std::string_view(o.after)
-            : o.stage == "operations" ? passes::Pipeline::before_all : std::string_view{};
+        const std::string_view stop = !o.after.empty()          ? std::string_view(o.after)
+                                      : o.stage == "operations" ? passes::Pipeline::before_all
+                                                                : std::string_view{};
         part.run(printer, {stop, false});
     }
     if (o.stage == "syntax" || o.stage == "program") part.program().check_unread(part.diagnostics());
@@ -93,6 +125,9 @@ void add_dump(CLI::App& app, Exit& exit) {
         ->check(CLI::IsMember(names))
         ->excludes(stage);
     command->add_option("--to", options->form, ".ftj file: its moves as a csv table")->check(CLI::IsMember({"csv"}));
+    command->add_option("--frame", options->frame, "csv: coordinates from the machine zero or the active part zero")
+        ->check(CLI::IsMember({"machine", "part"}));
+    command->add_flag("--events", options->events, "csv: rows for M functions, tools and messages too");
     add_program_options(*command, options->settings);
     command->footer(
         "Examples:\n"

@@ -62,7 +62,8 @@ std::string finding(diag::Id id, Language l) {
     if (!row.alarm_8055.empty()) out += fmt::format("8055: {}\n", row.alarm_8055);
     if (!row.alarm_8025.empty()) out += fmt::format("8025: {}\n", row.alarm_8025);
     if (const auto page = diag::explain_page(id, l); !page.empty()) out += fmt::format("\n{}\n", page);
-    for (const auto program : diag::explain_examples(id)) out += fmt::format("\n{}\n{}", example.in(l), indented(program));
+    for (const auto program : diag::explain_examples(id))
+        out += fmt::format("\n{}\n{}", example.in(l), indented(program));
     return out;
 }
 
@@ -77,7 +78,8 @@ std::string statement(const control::StatementRow& s, Language l) {
 }
 
 std::string variable(const control::Variable& v, Language l) {
-    std::string out = head(v.per_axis ? fmt::format("{}(X-C)", v.name) : std::string(v.name), v.title, v.section, v.support, l);
+    std::string out =
+        head(v.per_axis ? fmt::format("{}(X-C)", v.name) : std::string(v.name), v.title, v.section, v.support, l);
     out += fmt::format("  {}", control::describe(v.knowledge).in(l));
     if (!v.writable) out += fmt::format(", {}", read_only.in(l));
     if (v.stops_preparation) out += fmt::format(", {}", stops.in(l));
@@ -92,7 +94,8 @@ const control::Construct* find_code(const control::Dialect& d, const std::string
 
 const control::Variable* find_variable(const control::Dialect& d, std::string_view word) {
     for (const control::Variable& v : d.variables)
-        if (word == v.name || (v.per_axis && word.size() == v.name.size() + 1 && word.starts_with(v.name) && axis_of(word.back())))
+        if (word == v.name ||
+            (v.per_axis && word.size() == v.name.size() + 1 && word.starts_with(v.name) && axis_of(word.back())))
             return &v;
     return nullptr;
 }
@@ -110,11 +113,12 @@ std::string page(const control::Dialect& d, const std::string& word, Language l)
 }
 
 Exit explain(const Options& o) {
-    const control::Dialect* d = o.settings.control == "auto" ? frontend::dialects().front() : frontend::dialect(o.settings.control);
+    const control::Dialect* d =
+        o.settings.control == "auto" ? frontend::dialects().front() : frontend::dialect(o.settings.control);
     const std::string text = page(*d, upper(o.word), language_of(o.settings));
     if (text.empty()) {
-        std::fprintf(stderr, "fagorc: %s is no finding, code, statement, operator or variable of the %s\n", o.word.c_str(),
-                     std::string(d->name).c_str());
+        std::fprintf(stderr, "fagorc: %s is no finding, code, statement, operator or variable of the %s\n",
+                     o.word.c_str(), std::string(d->name).c_str());
         return Exit::could_not_run;
     }
     std::fwrite(text.data(), 1, text.size(), stdout);

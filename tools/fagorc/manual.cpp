@@ -17,17 +17,21 @@ namespace {
 std::string roff(std::string_view text) {
     std::string out;
     for (char c : text) {
-        if (c == '\\') out += "\\e";
-        else if (c == '-') out += "\\-";
-        else if ((c == '.' || c == '\'') && (out.empty() || out.back() == '\n')) out += std::string("\\&") + c;
-        else out += c;
+        if (c == '\\')
+            out += "\\e";
+        else if (c == '-')
+            out += "\\-";
+        else if ((c == '.' || c == '\'') && (out.empty() || out.back() == '\n'))
+            out += std::string("\\&") + c;
+        else
+            out += c;
     }
     return out;
 }
 
 std::string section(const CommandRow& c) {
-    std::string text = fmt::format(".SS fagorc {} {}\n{}.\n", roff(c.name), roff(fmt::format("{}", fmt::join(c.positionals, " "))),
-                                   roff(c.description));
+    std::string text = fmt::format(".SS fagorc {} {}\n{}.\n", roff(c.name),
+                                   roff(fmt::format("{}", fmt::join(c.positionals, " "))), roff(c.description));
     for (const OptionRow& o : c.options)
         text += fmt::format(".TP\n\\fB{}\\fR{}\n{}\n", roff(fmt::format("{}", fmt::join(o.names, ", "))),
                             o.value.empty() ? "" : " \\fI" + roff(o.value) + "\\fR", roff(o.description));
@@ -43,7 +47,8 @@ std::string page(const std::vector<CommandRow>& rows) {
     for (std::size_t i = 1; i < rows.size(); ++i) text += section(rows[i]);
     text +=
         ".SH EXIT STATUS\n0: no error. 1: errors found. 2: could not run.\n"
-        ".SH ENVIRONMENT\nLC_ALL, LC_MESSAGES, LANG: language of messages. NO_COLOR: no colours. TMPDIR: where standard "
+        ".SH ENVIRONMENT\nLC_ALL, LC_MESSAGES, LANG: language of messages. NO_COLOR: no colours. TMPDIR: where "
+        "standard "
         "input is kept while it is read.\n";
     return text;
 }

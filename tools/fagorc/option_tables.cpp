@@ -33,7 +33,8 @@ CommandRow row_of(const CLI::App& app) {
 
 std::vector<CommandRow> option_tables(const CLI::App& app) {
     std::vector<CommandRow> rows{row_of(app)};
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) rows.push_back(row_of(*command));
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        rows.push_back(row_of(*command));
     return rows;
 }
 

@@ -11,9 +11,9 @@ class App;
 namespace fagorc::tool {
 
 struct OptionRow {
-    std::vector<std::string> names;      ///< "--to", "-o"; empty for a positional one
-    std::string value, description;      ///< what it takes, empty for a flag
-    std::vector<std::string> choices;    ///< allowed values, where they are listed
+    std::vector<std::string> names;    ///< "--to", "-o"; empty for a positional one
+    std::string value, description;    ///< what it takes, empty for a flag
+    std::vector<std::string> choices;  ///< allowed values, where they are listed
 };
 
 struct CommandRow {

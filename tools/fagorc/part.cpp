@@ -53,7 +53,8 @@ passes::ExecuteResult Part::run(operation::Sink& tail, const Run& run) {
     passes::Pipeline pipeline({machine_, tables_, diagnostics_, *this}, tail,
                               {run.stop_after, settings_.verify_passes});
     passes::ExecuteOptions options;
-    for (int mark : settings_.skip) options.skip_marks = static_cast<std::uint8_t>(options.skip_marks | 1u << (mark - 1));
+    for (int mark : settings_.skip)
+        options.skip_marks = static_cast<std::uint8_t>(options.skip_marks | 1u << (mark - 1));
     options.max_blocks = settings_.max_blocks;
     options.live_may_be_unknown = run.checking;
     const auto result = passes::execute(*program_, workspace_->library(), *dialect_, machine_, live_, tables_, texts_,
@@ -67,7 +68,9 @@ backends::Job Part::job() {
     return {tables_, texts_.list, machine_, *this, diagnostics_, std::string("fagorc ") + version};
 }
 
-std::string Part::machine_name() const { return machine_.source.empty() ? "built-in lathe" : machine_.source; }
+std::string Part::machine_name() const {
+    return machine_.source.empty() ? "built-in lathe" : machine_.source;
+}
 
 diag::Place Part::of(const operation::Context& at) {
     program::Program* p = workspace_->program(tables_.chains[at.chain].program);

@@ -24,8 +24,8 @@ class Part final : public passes::Places, public backends::Programs {
     bool load(const std::string& path);
 
     struct Run {
-        std::string_view stop_after;    ///< see passes::Pipeline::Options
-        bool checking = false;          ///< unknown live values end a path without an error
+        std::string_view stop_after;  ///< see passes::Pipeline::Options
+        bool checking = false;        ///< unknown live values end a path without an error
     };
     /// Executes the program into `tail` and finds what is wrong in the rest of its text.
     passes::ExecuteResult run(operation::Sink& tail, const Run& run);
@@ -49,7 +49,7 @@ class Part final : public passes::Places, public backends::Programs {
     bool load_machine();
 
     const Settings& settings_;
-    const frontend::Workspace* shown_ = nullptr;   ///< what the console reads names and lines from
+    const frontend::Workspace* shown_ = nullptr;  ///< what the console reads names and lines from
     diag::Sink& diagnostics_;
     const control::Dialect* dialect_ = nullptr;
     std::unique_ptr<frontend::Workspace> workspace_;

@@ -14,7 +14,8 @@ void add_report_options(CLI::App& command, Settings& s) {
     command.add_option("--format", s.format, "findings as human, short, json (one object a line) or sarif")
         ->check(CLI::IsMember({"human", "short", "json", "sarif"}))
         ->group("Messages");
-    command.add_flag("--deny-warnings", s.deny_warnings, "warnings count as errors for the exit code")->group("Messages");
+    command.add_flag("--deny-warnings", s.deny_warnings, "warnings count as errors for the exit code")
+        ->group("Messages");
     command.add_flag("-q,--quiet", s.quiet, "no summary line")->group("Messages");
 }
 
@@ -22,7 +23,8 @@ void add_program_options(CLI::App& command, Settings& s) {
     command.add_option("--control", s.control, "control that the program is written for (default: the machine's)")
         ->check(CLI::IsMember({"auto", "8055"}))
         ->group("Machine and program");
-    command.add_option("--machine", s.machine_file, "machine file (docs/machine-file.md), laid over the built-in lathe")
+    command
+        .add_option("--machine", s.machine_file, "machine file (docs/machine-file.md), laid over the built-in lathe")
         ->type_name("FILE")
         ->group("Machine and program");
     command.add_option("--tables", s.tables_folder, "folder of the control's own text tables: TO TLF TMZ ORG GUP")
@@ -38,8 +40,10 @@ void add_program_options(CLI::App& command, Settings& s) {
         ->delimiter(',')
         ->check(CLI::Range(1, 3))
         ->group("Machine and program");
-    command.add_option("--max-blocks", s.max_blocks, "stop after so many executed blocks")->group("Machine and program");
-    command.add_flag("--stats", s.statistics, "blocks, shapes, parser calls and time on standard error")->group("Diagnosis");
+    command.add_option("--max-blocks", s.max_blocks, "stop after so many executed blocks")
+        ->group("Machine and program");
+    command.add_flag("--stats", s.statistics, "blocks, shapes, parser calls and time on standard error")
+        ->group("Diagnosis");
     command.add_flag("--verify-passes", s.verify_passes, "check what must hold between the passes")->group("Diagnosis");
     command.add_flag("--no-shape-cache", s.no_shape_cache, "parse every block anew")->group("Diagnosis");
     command.add_flag("--no-loop-cache", s.no_loop_cache, "decode the blocks of loops anew")->group("Diagnosis");

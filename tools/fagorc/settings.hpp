@@ -18,7 +18,7 @@ struct Settings {
     std::string control = "auto";
     std::string machine_file, tables_folder;
     std::vector<std::string> libraries, values;
-    std::vector<int> skip;                  ///< block skip marks that are set, 1..3
+    std::vector<int> skip;  ///< block skip marks that are set, 1..3
     std::string language, color = "auto", format = "human";
     std::uint64_t max_blocks = 1'000'000'000;
     bool deny_warnings = false, quiet = false, statistics = false, verify_passes = false;
