@@ -72,7 +72,7 @@ std::string Part::machine_name() const {
     return machine_.source.empty() ? "built-in lathe" : machine_.source;
 }
 
-diag::Place Part::of(const operation::Context& at) {
+diag::Place Part::place(const operation::Context& at) const {
     program::Program* p = workspace_->program(tables_.chains[at.chain].program);
     return p ? p->place_of_line(at.line) : diag::Place{};
 }

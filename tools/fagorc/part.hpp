@@ -40,8 +40,8 @@ class Part final : public passes::Places, public backends::Programs {
     /// The machine for the summary: "built-in lathe" or the file's name.
     std::string machine_name() const;
 
-    diag::Place of(const operation::Context& at) override;
-    diag::Place place(const operation::Context& at) override { return of(at); }
+    diag::Place of(const operation::Context& at) override { return place(at); }
+    diag::Place place(const operation::Context& at) const override;
     std::string_view name(diag::FileId file) const override { return workspace_->name(file); }
     std::string_view text(diag::FileId file) const override;
 
