@@ -50,8 +50,6 @@ class Program {
     /// The first block with this label; nothing where there is none (8055 T 2.3).
     virtual std::optional<Cursor> label(std::uint32_t number) = 0;
     virtual const Subroutine* subroutine(std::uint32_t number, bool local) = 0;
-    /// The `%` mark, a SUB or LSUB block at this place ends the main part: true where running on in line is an error.
-    virtual bool inside_subroutine(Cursor at) = 0;
 
     /// Tokens of a block with their places, made again from its text.
     virtual std::vector<PlacedToken> tokens(const Block& block) = 0;
