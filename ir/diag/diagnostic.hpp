@@ -36,7 +36,7 @@ struct Argument {
     Argument(std::string_view s) : plain(s) {}        // NOLINT
     Argument(const char* s) : plain(s) {}             // NOLINT
     Argument(char c) : plain(1, c) {}                 // NOLINT
-    Argument(double value);                           // NOLINT: shortest text that gives the value back
+    Argument(double value);                           // NOLINT: as a reader writes it, at most five decimals
     template <std::integral I>
     Argument(I value) : plain(std::to_string(value)) {}  // NOLINT
     std::string_view in(Language l) const { return text.en.empty() ? std::string_view(plain) : text.in(l); }

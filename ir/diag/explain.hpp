@@ -2,6 +2,7 @@
 // code, ir/diag/explain/F0205.md, compiled into the binary.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -10,8 +11,8 @@
 
 namespace fagorc::diag {
 
-/// Which of its examples raise a code. `shown`: the first one raises it, the others are clean. `planned`: the construct
-/// is not executed yet, so the first example raises not_yet_supported alone. `none`: no program can raise it.
+/// What the programs of a page show. `shown`: the first raises the code, the others nothing. `planned`: a construct in
+/// them is not executed yet, and raises not_yet_supported alone. `none`: no program can raise the code.
 enum class Examples : std::uint8_t { shown, planned, none };
 
 /// The page of a code in a language, Markdown without the examples; empty where the code has no page.

@@ -42,9 +42,16 @@ TEST(Catalogue, ArgumentsMayHoldBraces) {
     EXPECT_EQ(message(finding(Id::unknown_word, {"{0}"}), Language::english), "{0} is not a word of this control");
 }
 
-TEST(Catalogue, NumbersAreTheShortestThatGiveTheValueBack) {
+TEST(Catalogue, NumbersHaveTheDecimalsOfWords) {
     EXPECT_EQ(Argument(0.1).plain, "0.1");
     EXPECT_EQ(Argument(-2.0).plain, "-2");
+    EXPECT_EQ(Argument(100.0).plain, "100");
+    EXPECT_EQ(Argument(0.0).plain, "0");
+    EXPECT_EQ(Argument(-0.0).plain, "0");
+    EXPECT_EQ(Argument(7.0710678118654755).plain, "7.07107");
+    EXPECT_EQ(Argument(99999.9999).plain, "99999.9999");
+    EXPECT_EQ(Argument(0.0000012).plain, "1.2e-06");
+    EXPECT_EQ(Argument(1e300).plain, "1e+300");
     EXPECT_EQ(Argument(7u).plain, "7");
 }
 
