@@ -107,8 +107,7 @@ IsoRunner::Outcome IsoRunner::Control::run(const IsoBlock& block) {
     const bool has_misc = !block.misc.empty() || !block.misc_by_parameter.empty();
     if (has_misc) misc(block, true);
     if (block.speed && !session.ends() && !speed_within_limits(block)) return outcome;
-    if (session.ends()) return outcome;
-    if (block.geometry.count != 0) move(block);
+    if (block.geometry.count != 0 && !session.ends()) move(block);
     if (has_misc && !session.ends()) misc(block, false);
     return outcome;
 }

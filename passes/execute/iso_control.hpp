@@ -36,10 +36,15 @@ struct IsoRunner::Control {
     double other_number(const program::Word& word);
     /// A coordinate as written: at most four decimals in millimetres, five in inches, within the control's range.
     double coordinate_word(const program::Word& word) {
-        const double v = number(word);
-        if (word.value.kind == program::WordValue::Kind::number &&
-            session.block->slots[word.value.slot].decimals > most_decimals) [[unlikely]]
-            return rounded(word, v);
+        double v = 0;
+        if (word.value.kind == program::WordValue::Kind::number) [[likely]] {
+            const program::Quantity& q = session.block->slots[word.value.slot];
+            if (q.decimals > most_decimals) [[unlikely]]
+                return rounded(word, q.value);
+            v = q.value;
+        } else {
+            v = other_number(word);
+        }
         if (!(v < word_limit && v > -word_limit)) [[unlikely]]
             beyond_format(word, v);
         return v;
@@ -63,7 +68,6 @@ struct IsoRunner::Control {
     /// The row of a setting of a modal group; null where the control has no code for it.
     const control::Construct* row_of(program::Group group, std::uint8_t setting) const;
     std::optional<program::Function> filled(const program::FunctionCall& call);
-    bool operands_complete(const program::FunctionCall& call);
     bool act(const program::FunctionCall& call, const program::Function& function);
     void set_plane(Plane plane);
     bool preset(const program::FunctionCall& call, const program::Preset& preset);

@@ -8,7 +8,6 @@
 namespace fagorc::passes {
 
 using control::Construct;
-using control::Need;
 using control::Operand;
 using control::Role;
 using program::FunctionCall;
@@ -64,7 +63,12 @@ bool IsoRunner::Control::code(const FunctionCall& call) {
         session.report(diag::Id::not_yet_supported, call.token, call.token + 1u, row.code, row.title);
         return false;
     }
-    if (row.group != Group::none) set_group(call);
+    if (row.group == Group::motion) {  // in every plain block; states are kept by motion mode
+        state.modal.motion = static_cast<program::Motion>(row.setting);
+        motion_row = &row;
+    } else if (row.group != Group::none) {
+        set_group(call);
+    }
     if (row.make == nullptr) return true;
     form_used = true;
     const auto function = filled(call);
@@ -76,10 +80,6 @@ void IsoRunner::Control::set_group(const FunctionCall& call) {
     program::Modal& m = state.modal;
     const program::Modal before = m;
     switch (row.group) {
-        case Group::motion:
-            m.motion = static_cast<program::Motion>(row.setting);
-            motion_row = &row;
-            return;  // states are kept by motion mode
         case Group::plane:
             m.plane_code = static_cast<program::PlaneCode>(row.setting);
             if (m.plane_code == program::PlaneCode::xy) set_plane(plane_g17);
@@ -113,6 +113,7 @@ void IsoRunner::Control::set_group(const FunctionCall& call) {
             m.side = static_cast<program::Side>(row.setting);
             break;
         case Group::none:
+        case Group::motion:
         case Group::origin:
         case Group::shift:
         case Group::count_:
@@ -144,34 +145,11 @@ void IsoRunner::Control::set_plane(Plane plane) {
     state_changed();
 }
 
-bool IsoRunner::Control::operands_complete(const FunctionCall& call) {
-    const Construct& row = *call.construct;
-    const auto words = session.block->shape->run(call.words);
-    const auto count = [&](const Operand& o) {
-        int n = 0;
-        for (const Word& w : words) n += row.operand(w.address) == &o;
-        return n;
-    };
-    int together = 0, together_given = 0, alternatives = 0, alternatives_given = 0;
-    for (const Operand& o : row.operands) {
-        const int n = count(o);
-        if (o.need == Need::required && n == 0) return false;
-        if (o.need == Need::together) ++together, together_given += n != 0;
-        if (o.need == Need::alternative) ++alternatives, alternatives_given += n != 0;
-        if (o.address == control::any_axis && n != 0 && (n < row.least_axes || n > row.most_axes)) return false;
-    }
-    if (together_given != 0 && together_given != together) return false;
-    return alternatives == 0 || alternatives_given == 1;
-}
-
+/// The neutral function of a code with its operands in it; that the block has them all was checked when it was bound.
 std::optional<program::Function> IsoRunner::Control::filled(const FunctionCall& call) {
     const Construct& row = *call.construct;
     program::Function function = row.make();
     if (row.operands.empty() || row.takes == control::Takes::motion) return function;
-    if (!operands_complete(call)) {
-        session.report(row.misuse, call.token, call.token + 1u, row.code, row.syntax);
-        return std::nullopt;
-    }
     void* const target_function = row.target(function);
     for (const Word& w : session.block->shape->run(call.words)) {
         const Operand* operand = row.operand(w.address);

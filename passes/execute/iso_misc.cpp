@@ -73,23 +73,16 @@ void IsoRunner::Control::one_misc(const program::IsoBlock& block, const Function
     if (known && table->second.stops) emit(operation::Barrier{operation::Barrier::Why::preparation});
 }
 
-/// T with M06 takes nothing else in its block, an M with a subroutine is alone (8055 T 5.4, 5.5).
+/// An M with a subroutine is alone; T may stand with the tool change (8055 T 5.4, 5.5).
 bool IsoRunner::Control::misc_company(const program::IsoBlock& block, const FunctionCall& call) {
     const auto table = session.machine.misc.find(call.number);
+    if (table == session.machine.misc.end() || !table->second.subroutine || in_subroutine_of(call.number)) return true;
     const bool change = std::holds_alternative<program::ToolChange>(meaning(call.construct));
     const bool others = block.geometry.count != 0 || block.feed || block.speed || !block.modal.empty() ||
-                        !block.functions.empty() || block.misc.size() > 1;
-    if (change && block.tool && others) {
-        session.report(diag::Id::tool_change_not_alone, call.token, call.token + 1u, session.block->text);
-        return false;
-    }
-    const bool calls =
-        table != session.machine.misc.end() && table->second.subroutine && !in_subroutine_of(call.number);
-    if (calls && (others || (!change && (block.tool || block.offset)))) {
-        session.report(diag::Id::must_be_alone, call.token, call.token + 1u, fmt::format("M{}", call.number));
-        return false;
-    }
-    return true;
+                        !block.functions.empty() || block.misc.size() + block.misc_by_parameter.size() > 1;
+    if (!others && (change || !(block.tool || block.offset))) return true;
+    session.report(diag::Id::must_be_alone, call.token, call.token + 1u, fmt::format("M{}", call.number));
+    return false;
 }
 
 /// What an M function changes in the control; it is sent to the machine afterwards.

@@ -38,7 +38,6 @@ struct EmptyProgram : program::Program {
     const program::Block* rebind(const program::Block&, std::string_view, diag::Sink&) override { return nullptr; }
     std::optional<program::Cursor> label(std::uint32_t) override { return std::nullopt; }
     const program::Subroutine* subroutine(std::uint32_t n, bool) override { return n == 9990 ? &home : nullptr; }
-    bool inside_subroutine(program::Cursor) override { return false; }
     std::vector<program::PlacedToken> tokens(const program::Block&) override { return {}; }
     diag::Place place_of_line(std::uint32_t) override { return {}; }
     void check_unread(diag::Sink&) override {}

@@ -155,7 +155,6 @@ TEST(IsoTechnology, ToolWaitsForM06WhereTheMachineSaysSo) {
     EXPECT_EQ(b.variable("TOD"), 4);
     b.run("T5 M06");
     EXPECT_EQ(b.variable("TOOL"), 5);
-    EXPECT_EQ(alarm_of("X10 T3 M06"), "0011");
     EXPECT_EQ(alarm_of("T3 D3 M06"), "");
 }
 
