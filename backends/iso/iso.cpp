@@ -78,8 +78,8 @@ class IsoWriter final : public operation::Sink {
         if (form->code != plane_code_) (words += plane_code_ = form->code) += ' ';
         words += a.ccw != form->mirrored ? "G3" : "G2";
         words += axis_words(o, true);
-        append_word(words, centre_letter(plane.u), a.centre.u - start.u);
-        append_word(words, centre_letter(plane.v), a.centre.v - start.v);
+        for (Axis axis : {std::min(plane.u, plane.v), std::max(plane.u, plane.v)})
+            append_word(words, centre_letter(axis), axis == plane.u ? a.centre.u - start.u : a.centre.v - start.v);
         motion(o, words + feed(o));
     }
 

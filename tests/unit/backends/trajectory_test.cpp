@@ -6,7 +6,7 @@
 #include "backends/trajectory/writer.hpp"
 #include "runtime/player/moves.hpp"
 #include "runtime/player/verify.hpp"
-#include "tests/unit/backends/stream.hpp"
+#include "tests/support/stream.hpp"
 
 namespace fagorc::test {
 namespace {

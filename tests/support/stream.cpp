@@ -1,4 +1,4 @@
-#include "tests/unit/backends/stream.hpp"
+#include "tests/support/stream.hpp"
 
 namespace fagorc::test {
 
