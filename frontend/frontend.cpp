@@ -21,6 +21,7 @@ struct Source {
     std::string name;
     std::unique_ptr<ProgramText> program;
     std::string text;
+    bool superseded = false;  ///< a program that OPEN or WRITE has changed since; findings may still point into it
 };
 
 /// A program of the library: a file, or a text that OPEN and WRITE make.
@@ -57,7 +58,7 @@ struct Workspace::Implementation final : Library {
     ProgramText& add(std::string name, std::unique_ptr<Text> text) {
         const auto id = static_cast<diag::FileId>(sources.size());
         const Decoder decoder{dialect, scanner, shapes, diagnostics, options.loop_cache};
-        sources.push_back({name, std::make_unique<ProgramText>(decoder, id, name, std::move(text)), {}});
+        sources.push_back({name, std::make_unique<ProgramText>(decoder, id, name, std::move(text)), {}, false});
         return *sources.back().program;
     }
 
@@ -73,7 +74,7 @@ struct Workspace::Implementation final : Library {
         const auto at = library.find(number);
         if (at != library.end()) return of(at->second);
         for (const Source& s : sources)
-            if (s.program && s.program->number() == number) return s.program.get();
+            if (s.program && !s.superseded && s.program->number() == number) return s.program.get();
         return nullptr;
     }
 
@@ -82,7 +83,8 @@ struct Workspace::Implementation final : Library {
     Found subroutine(std::uint32_t number) override {
         const auto in = [number](ProgramText* p) { return p ? p->subroutine(number, false) : nullptr; };
         for (std::size_t i = 0; i < sources.size(); ++i)
-            if (const auto* s = in(sources[i].program.get())) return {sources[i].program.get(), s};
+            if (!sources[i].superseded)
+                if (const auto* s = in(sources[i].program.get())) return {sources[i].program.get(), s};
         for (auto& [key, stored] : library)
             if (!stored.program)
                 if (const auto* s = in(of(stored))) return {stored.program, s};
@@ -94,6 +96,7 @@ struct Workspace::Implementation final : Library {
         if (before && !append) return Opened::exists;
         std::string text = before && *append ? std::string(before->text()) : fmt::format("%{},MX,\n", comment);
         if (!text.ends_with('\n')) text += '\n';
+        supersede(before);
         library[number] = {fmt::format("{:06}.PIT", number), std::move(text), nullptr, false};
         opened = number;
         return !before ? Opened::created : *append ? Opened::appended : Opened::replaced;
@@ -103,8 +106,13 @@ struct Workspace::Implementation final : Library {
         if (!opened) return false;
         Stored& s = library[*opened];
         s.text->append(block) += '\n';
+        supersede(s.program);
         s.program = nullptr;  // read anew, with the block, when it is asked for
         return true;
+    }
+    void supersede(const Program* program) {
+        if (!program) return;
+        for (Source& s : sources) s.superseded = s.superseded || s.program.get() == program;
     }
     void close() override { opened.reset(); }
 
@@ -126,7 +134,7 @@ Workspace::~Workspace() = default;
 Program* Workspace::open(const std::string& path) {
     auto& i = *implementation_;
     std::unique_ptr<Text> text =
-        path == "-" ? text_of_stream(STDIN_FILENO, i.diagnostics) : text_of_file(path, i.diagnostics);
+        path == "-" ? text_of_stream(::dup(STDIN_FILENO), i.diagnostics) : text_of_file(path, i.diagnostics);
     return text ? &i.add(path == "-" ? "<stdin>" : path, std::move(text)) : nullptr;
 }
 
@@ -136,7 +144,7 @@ Program& Workspace::add(std::string name, std::string text) {
 
 diag::FileId Workspace::add_text(std::string name, std::string text) {
     auto& sources = implementation_->sources;
-    sources.push_back({std::move(name), nullptr, std::move(text)});
+    sources.push_back({std::move(name), nullptr, std::move(text), false});
     return static_cast<diag::FileId>(sources.size() - 1);
 }
 

@@ -1,5 +1,6 @@
 #include "frontend/scan/scanner.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstring>
@@ -143,7 +144,7 @@ class Run {
                     quoted();
                     break;
                 case Kind::dollar:
-                    hexadecimal();
+                    depth_ ? hexadecimal() : strange();
                     break;
                 default:
                     strange();
@@ -183,7 +184,7 @@ class Run {
     void number(const char* digits, bool negative, const char* from) {
         Quantity q;
         const char* to = read_quantity(digits, negative, q);
-        if (to == digits) return strange();
+        if (to == digits) return invalid(digits + 1);  // a point alone
         slot(q, from, to);
         token(Token::number, from, to);
     }
@@ -252,11 +253,12 @@ class Run {
         token(Token::text, p_, to + 1);
     }
 
-    /// `$` and up to eight hexadecimal digits; digits are taken greedily (8055 T 11.3).
+    /// `$` and up to eight hexadecimal digits, taken greedily; ISO blocks have none (8055 T 11.3).
     void hexadecimal() {
         std::uint32_t value = 0;
         const auto [to, error] = std::from_chars(p_ + 1, p_ + 9, value, 16);
         if (error != std::errc{}) return strange();
+        lower_case_ |= std::any_of(p_, to, [](char c) { return c >= 'a'; });
         Quantity q;
         q.value = value;
         q.hexadecimal = 1;
@@ -287,7 +289,14 @@ class Run {
 }  // namespace
 
 // A key byte and a slot are at most one each for a byte of the block; two payload bytes come with a word.
-Scan::Scan(std::size_t block_bytes) : key_(new char[3 * block_bytes + 64]), slots_(new Quantity[block_bytes + 64]) {}
+// The room is reserved, not touched: a program of short blocks takes one page of it.
+Scan::Scan(std::size_t block_bytes)
+    : key_(new char[3 * block_bytes + 64]),
+      slots_(std::allocator<Quantity>().allocate(block_bytes + 64), Release{block_bytes + 64}) {}
+
+void Scan::Release::operator()(Quantity* slots) const {
+    std::allocator<Quantity>().deallocate(slots, count);
+}
 
 Scanner::Scanner(const control::Dialect& dialect) : lexicon_(dialect), block_bytes_(dialect.limits.block_bytes) {}
 

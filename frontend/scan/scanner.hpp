@@ -22,8 +22,12 @@ class Scan {
 
   private:
     friend class Scanner;
+    struct Release {
+        std::size_t count = 0;
+        void operator()(program::Quantity* slots) const;
+    };
     std::unique_ptr<char[]> key_;
-    std::unique_ptr<program::Quantity[]> slots_;
+    std::unique_ptr<program::Quantity[], Release> slots_;
     const char* key_begin_ = nullptr;
     std::size_t key_size_ = 0, slot_count_ = 0;
 };

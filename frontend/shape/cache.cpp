@@ -29,16 +29,12 @@ ShapeCache::ShapeCache(TemplateMaker& maker, bool keep, std::size_t limit)
 
 const program::BlockTemplate& ShapeCache::find(std::string_view key, program::BlockTemplate& own) {
     // Neighbouring blocks mostly have one shape.
-    if (last_ && last_->key == key) {
-        kept_ = true;
-        return *last_->shape;
-    }
+    if (last_ && last_->key == key) return *last_->shape;
     const std::uint64_t hash = hash_of(key);
     const std::size_t mask = entries_.size() - 1;
     for (std::size_t i = hash & mask; entries_[i].shape; i = (i + 1) & mask)
         if (entries_[i].hash == hash && entries_[i].key == key) {
             last_ = &entries_[i];
-            kept_ = true;
             return *last_->shape;
         }
     return make(key, hash, own);
@@ -48,10 +44,7 @@ const program::BlockTemplate& ShapeCache::make(std::string_view key, std::uint64
     ++shapes_;
     program::BlockTemplate made = maker_.make(key);
     const std::size_t bytes = made.bytes + sizeof(Entry) + key.size();
-    if (!keep_ || bytes_ + bytes > limit_) {
-        kept_ = false;
-        return own = std::move(made);
-    }
+    if (!keep_ || bytes_ + bytes > limit_) return own = std::move(made);
     if (2 * ++count_ > entries_.size()) grow();
     bytes_ += bytes;
     const std::size_t mask = entries_.size() - 1;
@@ -59,7 +52,6 @@ const program::BlockTemplate& ShapeCache::make(std::string_view key, std::uint64
     while (entries_[i].shape) i = (i + 1) & mask;
     entries_[i] = {hash, std::string(key), std::make_unique<program::BlockTemplate>(std::move(made))};
     last_ = &entries_[i];
-    kept_ = true;
     return *last_->shape;
 }
 

@@ -19,8 +19,6 @@ class ShapeCache {
 
     /// The template of a key. A kept one lives as long as the cache; one that is not kept is put into `own`.
     const program::BlockTemplate& find(std::string_view key, program::BlockTemplate& own);
-    /// Whether the template of the last call stays.
-    bool kept() const { return kept_; }
 
     std::uint64_t shapes() const { return shapes_; }
 
@@ -36,7 +34,7 @@ class ShapeCache {
     void grow();
 
     TemplateMaker& maker_;
-    bool keep_, kept_ = false;
+    bool keep_;
     std::size_t limit_, bytes_ = 0, count_ = 0;
     std::uint64_t shapes_ = 0;
     std::vector<Entry> entries_;  ///< open addressing; a power of two

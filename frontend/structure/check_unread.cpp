@@ -35,8 +35,7 @@ void ProgramText::check_subroutine(const Block& block, diag::Sink& out) {
     const diag::Place where = place(block, sub->token, s->end_token);
     if (number > limits.subroutine && !(oem && header().oem && !sub->local))
         out.report(diag::Id::subroutine_number_out_of_range, where, 0, limits.subroutine);
-    if (!seen_subroutines_.emplace(sub->local, static_cast<std::uint32_t>(number)).second)
-        out.report(diag::Id::subroutine_repeated, where, number);
+    if (!seen_subroutines_.emplace(sub->local, number).second) out.report(diag::Id::subroutine_repeated, where, number);
 }
 
 }  // namespace fagorc::frontend

@@ -1,7 +1,7 @@
 #include "frontend/structure/program_text.hpp"
 
 #include <algorithm>
-#include <cstring>
+#include <bit>
 
 #include "frontend/structure/header.hpp"
 #include "ir/program/findings.hpp"
@@ -25,9 +25,17 @@ const program::SubroutineBegin* subroutine_begin(const Block& block) {
     return s ? std::get_if<program::SubroutineBegin>(&s->what) : nullptr;
 }
 
-bool is_return(const Block& block) {
-    const auto* s = std::get_if<program::Statement>(&block.shape->body);
-    return s && std::holds_alternative<program::Return>(s->what);
+/// A number that names something: whole and in range where the block is sound; others name nothing.
+std::uint32_t name_of(double value) {
+    return value >= 0 && value < UINT32_MAX ? static_cast<std::uint32_t>(value) : UINT32_MAX;
+}
+
+/// The template of a block that cannot be used for what is wrong with its own text.
+program::BlockTemplate broken(program::Finding finding) {
+    program::BlockTemplate shape;
+    shape.broken = true;
+    shape.findings.push_back(std::move(finding));
+    return shape;
 }
 
 }  // namespace
@@ -55,17 +63,14 @@ ProgramText::ProgramText(const Decoder& decoder, diag::FileId file, std::string 
       reading_{Scan(decoder.dialect.limits.block_bytes), {}, {}},
       looking_{Scan(decoder.dialect.limits.block_bytes), {}, {}},
       rebound_{Scan(decoder.dialect.limits.block_bytes), {}, {}},
-      token_scan_(decoder.dialect.limits.block_bytes) {
-    too_long_.broken = true;
-    if (text_->reach(byte_order_mark.size()) &&
-        std::memcmp(text_->data(), byte_order_mark.data(), byte_order_mark.size()) == 0)
-        first_.offset = byte_order_mark.size();
-}
+      token_scan_(decoder.dialect.limits.block_bytes) {}
 
 std::string_view ProgramText::line_at(std::uint64_t offset) {
     if (offset >= text_->ready()) return {};
-    const std::string_view rest(text_->data() + offset, text_->ready() - offset);
-    return rest.substr(0, rest.find_first_of("\r\n"));
+    const char* const begin = text_->data() + offset;
+    const char* end = begin;
+    while (*end != '\n' && *end != '\r') ++end;
+    return {begin, static_cast<std::size_t>(end - begin)};
 }
 
 const program::Header& ProgramText::header() {
@@ -86,6 +91,7 @@ Cursor ProgramText::start() {
 /// Header line, then local subroutines up to the line that starts with `%` (8055 T 2.7).
 void ProgramText::read_start() {
     if (start_) return;
+    if (text_->reach(0) && line_at(0).starts_with(byte_order_mark)) first_.offset = byte_order_mark.size();
     if (is_mark(first_.offset)) {
         const std::string_view line = line_at(first_.offset);
         bool well_formed = true;
@@ -119,29 +125,35 @@ Cursor ProgramText::line_after(Cursor at) {
     return {at.offset + length + (p[length] == '\r' && p[length + 1] == '\n' ? 2 : 1), at.line + 1};
 }
 
+/// A lone % behind the last block is the end-of-tape sign of other systems (8055 T 1.1).
+bool ProgramText::is_end_of_tape(Cursor at) {
+    if (line_at(at.offset).find_first_not_of("% \t") != std::string_view::npos) return false;
+    for (at = line_after(at); text_->reach(at.offset); at = line_after(at))
+        if (line_at(at.offset).find_first_not_of(" \t") != std::string_view::npos) return false;
+    return true;
+}
+
 const Block* ProgramText::read(Cursor at) {
-    ++blocks_read_;
     const bool back = at.offset < furthest_;
-    if (!loop_.empty()) {
+    if (back && !loop_.empty()) {
         const Decoded& d = loop_[at.offset % loop_slots];
-        if (d.block.shape && d.block.here.offset == at.offset) return &d.block;
+        if (d.block.shape && d.asked == at.offset) return ++blocks_read_, &d.block;
     }
     const Block* block = decode(at, reading_);
     if (!block) return nullptr;
+    ++blocks_read_;
     if (read_to_ == at) read_to_ = block->next;
-    if (!back) {
-        furthest_ = block->here.offset;
-        return block;
-    }
-    return decoder_.loop_cache && decoder_.shapes.kept() ? keep(*block) : block;
+    furthest_ = std::max(furthest_, block->next.offset);
+    return back && decoder_.loop_cache && block->shape != &reading_.shape ? keep(at) : block;
 }
 
-/// Remembers a decoded block: a loop reads the same ones again and again.
-const Block* ProgramText::keep(const Block& block) {
+/// Remembers the block that was read: a loop reads the same ones again and again.
+const Block* ProgramText::keep(Cursor asked) {
     if (loop_.empty()) loop_.resize(loop_slots);
-    Decoded& d = loop_[block.here.offset % loop_slots];
-    d.slots.assign(block.slots.begin(), block.slots.end());
-    d.block = block;
+    Decoded& d = loop_[asked.offset % loop_slots];
+    d.asked = asked.offset;
+    d.block = reading_.block;
+    d.slots.assign(d.block.slots.begin(), d.block.slots.end());
     d.block.slots = d.slots;
     return &d.block;
 }
@@ -149,17 +161,13 @@ const Block* ProgramText::keep(const Block& block) {
 const Block* ProgramText::decode(Cursor at, Reading& into) {
     while (text_->reach(at.offset)) {
         const char* p = text_->data() + at.offset;
-        if (*p == '%') {
-            // A lone % at the end is the end-of-tape sign of other systems (8055 T 1.1).
-            const Cursor after = line_after(at);
-            if (line_at(at.offset).size() == 1 && !text_->reach(after.offset)) return nullptr;
-        }
+        if (*p == '%' && is_end_of_tape(at)) return nullptr;
         const Scanner::Extent extent = decoder_.scanner.scan(p, into.scan);
         const Cursor next{at.offset + extent.next, at.line + 1};
         if (extent.too_long) {
             const auto limit = static_cast<std::uint64_t>(decoder_.dialect.limits.block_bytes);
-            too_long_.findings = {{diag::Id::block_too_long, 0, 0, {extent.length, limit}}};
-            into.block = {&too_long_, {}, {p, extent.length}, at, next};
+            into.block = {&into.shape, {}, {p, extent.length}, at, next};
+            into.shape = broken({diag::Id::block_too_long, 0, 0, {extent.length, limit}});
             return &into.block;
         }
         if (is_silent(into.scan)) {
@@ -171,11 +179,24 @@ const Block* ProgramText::decode(Cursor at, Reading& into) {
                       {p, extent.length},
                       at,
                       next};
+        refuse_label(into);
         return &into.block;
     }
     if (!text_->failure().empty())
         decoder_.diagnostics.report(diag::Id::cannot_spool, place_of_line(at.line), text_->failure());
     return nullptr;
+}
+
+/// A label has its range (8055 T 2.3). It is a number, so no shape can tell.
+void ProgramText::refuse_label(Reading& reading) const {
+    const program::BlockTemplate& shape = *reading.block.shape;
+    if (!shape.label_slot) return;
+    const double label = reading.block.slots[*shape.label_slot].value;
+    const std::uint32_t most = decoder_.dialect.limits.label;
+    if (label >= 0 && label <= most) return;
+    const auto first = static_cast<std::uint16_t>(std::popcount(shape.skip_marks));
+    reading.shape = broken({diag::Id::label_too_large, first, static_cast<std::uint16_t>(first + 2), {most}});
+    reading.block.shape = &reading.shape;
 }
 
 const Block* ProgramText::rebind(const Block& original, std::string_view text, diag::Sink& out) {
@@ -210,60 +231,43 @@ Cursor ProgramText::cursor_of_line(std::uint32_t line) {
     return last_line_ = at;
 }
 
-/// Indexes on to the end of the text; from a pipe, a block at a time, since what follows may not have come yet.
-bool ProgramText::index_more() {
+/// Indexes one block more; null at the end of the text.
+const Block* ProgramText::index_next() {
     read_start();
-    bool any = false;
-    while (const Block* block = decode(indexed_to_, looking_)) {
-        index_block(*block);
-        indexed_to_ = block->next;
-        any = true;
-        if (!text_->complete()) return true;
+    const Block* block = decode(indexed_to_, looking_);
+    if (!block) return nullptr;
+    indexed_to_ = block->next;
+    lines_.add(block->here);
+    if (const auto slot = block->shape->label_slot) labels_.add(name_of(block->slots[*slot].value), block->here.line);
+    if (const auto* sub = subroutine_begin(*block)) {
+        const std::uint32_t number = name_of(block->slots[sub->slot].value);
+        subroutines_.try_emplace({sub->local, number},
+                                 program::Subroutine{number, sub->local, block->here, block->next});
     }
-    return any;
-}
-
-void ProgramText::index_block(const Block& block) {
-    lines_.add(block.here);
-    if (const auto slot = block.shape->label_slot)
-        labels_.add(static_cast<std::uint32_t>(block.slots[*slot].value), block.here.line);
-    if (const auto* sub = subroutine_begin(block))
-        subroutines_.push_back(
-            {{static_cast<std::uint32_t>(block.slots[sub->slot].value), sub->local, block.here, block.next}, 0});
-    else if (is_return(block) && !subroutines_.empty() && subroutines_.back().end_line == 0)
-        subroutines_.back().end_line = block.here.line;
+    return block;
 }
 
 std::optional<Cursor> ProgramText::label(std::uint32_t number) {
-    do {
-        if (const auto line = labels_.find(number)) return cursor_of_line(*line);
-    } while (index_more());
+    Target& target = targets_[number % targets_.size()];
+    if (!target.at || target.label != number) target = {number, find_label(number)};
+    return target.at;
+}
+
+std::optional<Cursor> ProgramText::find_label(std::uint32_t number) {
+    if (const auto line = labels_.find(number)) return cursor_of_line(*line);
+    while (const Block* block = index_next()) {
+        const auto slot = block->shape->label_slot;
+        if (slot && name_of(block->slots[*slot].value) == number) return block->here;
+    }
     return std::nullopt;
 }
 
 const program::Subroutine* ProgramText::subroutine(std::uint32_t number, bool local) {
-    do {
-        for (const SubroutineEntry& e : subroutines_)
-            if (e.subroutine.number == number && e.subroutine.local == local) return &e.subroutine;
-    } while (index_more());
-    return nullptr;
-}
-
-std::vector<std::uint32_t> ProgramText::global_subroutines() {
-    while (index_more()) {
+    for (;;) {
+        const auto at = subroutines_.find({local, number});
+        if (at != subroutines_.end()) return &at->second;
+        if (!index_next()) return nullptr;
     }
-    std::vector<std::uint32_t> numbers;
-    for (const SubroutineEntry& e : subroutines_)
-        if (!e.subroutine.local) numbers.push_back(e.subroutine.number);
-    return numbers;
-}
-
-bool ProgramText::inside_subroutine(Cursor at) {
-    while (indexed_to_.offset <= at.offset && index_more()) {
-    }
-    return std::any_of(subroutines_.begin(), subroutines_.end(), [&](const SubroutineEntry& e) {
-        return e.subroutine.begin.line <= at.line && (e.end_line == 0 || at.line <= e.end_line);
-    });
 }
 
 }  // namespace fagorc::frontend

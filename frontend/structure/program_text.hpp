@@ -1,6 +1,8 @@
 // One program text as the executor reads it: blocks decoded one by one, labels and subroutines on demand.
 #pragma once
 
+#include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -33,8 +35,6 @@ class ProgramText final : public program::Program {
     const std::string& name() const { return name_; }
     std::string_view line_at(std::uint64_t offset);
     std::uint64_t blocks_read() const { return blocks_read_; }
-    /// Numbers of all global subroutines.
-    std::vector<std::uint32_t> global_subroutines();
 
     diag::FileId file() const override { return file_; }
     std::optional<std::uint32_t> number() const override { return number_; }
@@ -45,33 +45,41 @@ class ProgramText final : public program::Program {
     const program::Block* rebind(const program::Block& original, std::string_view text, diag::Sink& out) override;
     std::optional<program::Cursor> label(std::uint32_t number) override;
     const program::Subroutine* subroutine(std::uint32_t number, bool local) override;
-    bool inside_subroutine(program::Cursor at) override;
     std::vector<program::PlacedToken> tokens(const program::Block& block) override;
     diag::Place place_of_line(std::uint32_t line) override;
     void check_unread(diag::Sink& out) override;
     std::string_view text() override { return text_->all(); }
 
   private:
+    /// A decoded block of a loop, by the cursor that it was asked for.
     struct Decoded {
+        std::uint64_t asked = 0;
         program::Block block;
         std::vector<program::Quantity> slots;
     };
     static constexpr std::size_t loop_slots = 4096;
+    /// The target of a recent jump.
+    struct Target {
+        std::uint32_t label = 0;
+        std::optional<program::Cursor> at;
+    };
 
     /// A block being read: what it needs until the next one.
     struct Reading {
         Scan scan;
         program::Block block;
-        program::BlockTemplate shape;  ///< where the cache does not keep it
+        program::BlockTemplate shape;  ///< of this block alone: the cache does not keep it
     };
     const program::Block* decode(program::Cursor at, Reading& into);
-    const program::Block* keep(const program::Block& block);
+    void refuse_label(Reading& reading) const;
+    const program::Block* keep(program::Cursor asked);
     void read_start();
     bool is_mark(std::size_t offset);
+    bool is_end_of_tape(program::Cursor at);
     program::Cursor line_after(program::Cursor at);
     program::Cursor cursor_of_line(std::uint32_t line);
-    bool index_more();
-    void index_block(const program::Block& block);
+    std::optional<program::Cursor> find_label(std::uint32_t number);
+    const program::Block* index_next();
     void check_subroutine(const program::Block& block, diag::Sink& out);
 
     Decoder decoder_;
@@ -84,7 +92,6 @@ class ProgramText final : public program::Program {
     Reading rebound_;
     Scan token_scan_;
     std::string rebound_text_;
-    program::BlockTemplate too_long_;
 
     std::optional<program::Cursor> start_;
     program::Header header_;
@@ -93,14 +100,15 @@ class ProgramText final : public program::Program {
     program::Cursor read_to_;  ///< blocks from start() to here have been read in line
     std::uint64_t blocks_read_ = 0;
     std::vector<Decoded> loop_;   ///< decoded blocks by offset; empty until the program jumps back
-    std::uint64_t furthest_ = 0;  ///< offset of the furthest block read
+    std::uint64_t furthest_ = 0;  ///< behind the furthest block read
 
     program::Cursor indexed_to_;
     LabelTable labels_;
     LineTable lines_;
-    std::vector<SubroutineEntry> subroutines_;
-    std::set<std::pair<bool, std::uint32_t>> seen_subroutines_;  ///< by check_unread
-    program::Cursor last_line_;                                  ///< of place_of_line: findings come in order
+    std::array<Target, 64> targets_;  ///< by label: a loop jumps to the same few again and again
+    std::map<std::pair<bool, std::uint32_t>, program::Subroutine> subroutines_;  ///< by local, number
+    std::set<std::pair<bool, double>> seen_subroutines_;                         ///< by check_unread
+    program::Cursor last_line_;  ///< of place_of_line: findings come in order
 };
 
 /// The number of a program from its file name nnnnnn.PIT or nnnnnn.PIM (8055 T 1.1).

@@ -1,4 +1,5 @@
-// A program that arrives through a pipe: blocks as they come, spooled to a temporary file only when one can be read again.
+// A program that arrives through a pipe: blocks as they come, spooled to a temporary file only when one can be read
+// again.
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/mman.h>
@@ -32,7 +33,7 @@ int temporary_file() {
 /// Standard input as one growing text: what is read is appended to a file, and the file is what is scanned.
 class StreamText final : public Text {
   public:
-    StreamText(int input, int file, char* map) : input_(input), file_(file), map_(map) {
+    StreamText(int input, int file, char* map, diag::Sink& out) : input_(input), file_(file), map_(map), out_(out) {
         data_ = map;
         complete_ = false;
     }
@@ -41,6 +42,7 @@ class StreamText final : public Text {
     ~StreamText() override {
         ::munmap(map_, reserved);
         ::close(file_);
+        ::close(input_);
     }
 
   private:
@@ -60,6 +62,7 @@ class StreamText final : public Text {
         }
         if (n <= 0) return end(n < 0 ? std::strerror(errno) : "");
         if (size_ + static_cast<std::size_t>(n) + 1 > reserved) return end(std::strerror(EFBIG));
+        if (size_ == 0 && !is_program_text({buffer, static_cast<std::size_t>(n)}, out_)) return end("");
         const std::size_t before = size_ ? size_ - 1 : 0;
         if (!keep({buffer, static_cast<std::size_t>(n)})) return end(std::strerror(errno));
         // A CR at the very end waits: an LF may follow that belongs to it.
@@ -99,6 +102,7 @@ class StreamText final : public Text {
 
     int input_, file_;
     char* map_;
+    diag::Sink& out_;
     std::size_t size_ = 0;        ///< bytes in the file
     std::size_t given_back_ = 0;  ///< a multiple of the page size
 };
@@ -111,9 +115,10 @@ std::unique_ptr<Text> text_of_stream(int descriptor, diag::Sink& out) {
     if (map == MAP_FAILED) {
         out.report(diag::Id::cannot_spool, diag::Place{}, std::strerror(errno));
         if (file >= 0) ::close(file);
+        ::close(descriptor);
         return nullptr;
     }
-    return std::make_unique<StreamText>(descriptor, file, static_cast<char*>(map));
+    return std::make_unique<StreamText>(descriptor, file, static_cast<char*>(map), out);
 }
 
 }  // namespace fagorc::frontend

@@ -25,25 +25,6 @@ class MemoryText final : public Text {
     std::string bytes_;
 };
 
-/// The first bytes tell what no program holds: a byte order mark of UTF-16, or control characters all over.
-bool is_program_text(std::string_view head, const diag::Place& place, diag::Sink& out) {
-    if (head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF")) {
-        out.report(diag::Id::utf16_file, place);
-        return false;
-    }
-    const auto strange = [](char c) {
-        return static_cast<unsigned char>(c) < 0x20 &&
-               std::string_view("\0\t\n\v\f\r\x1a\x1b\x03\x04", 10).find(c) == std::string_view::npos;
-    };
-    const std::string_view sample = head.substr(0, 4096);
-    if (std::count_if(sample.begin(), sample.end(), strange) * 20 <= static_cast<std::ptrdiff_t>(sample.size()))
-        return true;
-    const std::size_t first =
-        static_cast<std::size_t>(std::find_if(sample.begin(), sample.end(), strange) - sample.begin());
-    out.report(diag::Id::binary_file, place, first + 1, static_cast<int>(static_cast<unsigned char>(sample[first])));
-    return false;
-}
-
 /// Reads a descriptor to its end; an error number, or 0.
 int read_all(int fd, std::string& bytes) {
     for (;;) {
@@ -65,6 +46,25 @@ std::size_t Text::without_tail(std::string_view text) {
     return last == std::string_view::npos ? 0 : last + 1;
 }
 
+bool is_program_text(std::string_view head, diag::Sink& out) {
+    if (head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF")) {
+        out.report(diag::Id::utf16_file, diag::Place{});
+        return false;
+    }
+    const auto strange = [](char c) {
+        return static_cast<unsigned char>(c) < 0x20 &&
+               std::string_view("\0\t\n\v\f\r\x1a\x1b\x03\x04", 10).find(c) == std::string_view::npos;
+    };
+    const std::string_view sample = head.substr(0, 4096);
+    if (std::count_if(sample.begin(), sample.end(), strange) * 20 <= static_cast<std::ptrdiff_t>(sample.size()))
+        return true;
+    const std::size_t first =
+        static_cast<std::size_t>(std::find_if(sample.begin(), sample.end(), strange) - sample.begin());
+    out.report(diag::Id::binary_file, diag::Place{}, first + 1,
+               static_cast<int>(static_cast<unsigned char>(sample[first])));
+    return false;
+}
+
 std::unique_ptr<Text> text_of(std::string bytes) {
     return std::make_unique<MemoryText>(std::move(bytes));
 }
@@ -83,12 +83,13 @@ std::unique_ptr<Text> text_of_file(const std::string& path, diag::Sink& out) {
         out.report(diag::Id::is_a_directory, diag::Place{}, path);
         return nullptr;
     }
+    if (!S_ISREG(status.st_mode)) return text_of_stream(fd, out);
     std::string bytes;
     bytes.reserve(static_cast<std::size_t>(std::max<off_t>(status.st_size, 0)) + (std::size_t{1} << 16) + 2);
     const int error = read_all(fd, bytes);
     ::close(fd);
     if (error) return fail(error);
-    if (!is_program_text(bytes, {}, out)) return nullptr;
+    if (!is_program_text(bytes, out)) return nullptr;
     return text_of(std::move(bytes));
 }
 

@@ -44,10 +44,15 @@ class Text {
 
 /// A text from memory.
 std::unique_ptr<Text> text_of(std::string bytes);
-/// A regular file, read whole: it may shrink or change on disk without harm. Null: reported at `place`.
+/// A regular file, read whole: it may shrink or change on disk without harm. What is no regular file (a named pipe, a
+/// device) is read as a stream. Null: reported.
 std::unique_ptr<Text> text_of_file(const std::string& path, diag::Sink& out);
 /// A pipe or terminal, kept in an unlinked temporary file as it is read, so that jumps back find it: blocks are ready
-/// before the input ends, and memory stays constant. `descriptor` is not closed. Null: reported.
+/// before the input ends, and memory stays constant. Owns the descriptor; `out` outlives the text. Null: reported.
 std::unique_ptr<Text> text_of_stream(int descriptor, diag::Sink& out);
+
+/// Whether the first bytes of a file may belong to a program; reports what no program holds: the byte order mark of
+/// UTF-16, or control characters all over.
+bool is_program_text(std::string_view head, diag::Sink& out);
 
 }  // namespace fagorc::frontend
