@@ -59,7 +59,6 @@ passes::ExecuteResult Part::run(operation::Sink& tail, const Run& run) {
     options.live_may_be_unknown = run.checking;
     const auto result = passes::execute(*program_, workspace_->library(), *dialect_, machine_, live_, tables_, texts_,
                                         diagnostics_, pipeline.head(), options);
-    pipeline.head().finish();
     program_->check_unread(diagnostics_);
     return result;
 }
