@@ -13,6 +13,12 @@ import sys
 SKIPPED = 77
 
 
+# What is no matter of syntax: a program without the attribute X, and company rules of codes that mean something else on a mill.
+NOT_SYNTAX = ('F0010', 'F0113')
+# Of the mill alone: the length table TOL, and E, an operand of its G24.
+MILL_WORDS = ('TOL ', 'E ')
+
+
 def main():
     a = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     a.add_argument('--fagorc', required=True)
@@ -30,7 +36,8 @@ def main():
             wrong.append(f'{program}: exit {p.returncode}: {p.stderr.strip()[:200]}')
         for line in p.stdout.splitlines():
             finding = json.loads(line)
-            if finding['code'].startswith(('F00', 'F01')) and finding['severity'] == 'error':
+            if finding['code'].startswith(('F00', 'F01')) and finding['code'] not in NOT_SYNTAX and finding['severity'] == 'error' and not (
+                    finding['code'] == 'F0140' and finding['message'].startswith(MILL_WORDS)):
                 wrong.append(f'{program}:{finding["line"]}: {finding["code"]} {finding["message"]}')
     print(f'{len(programs)} programs, {len(wrong)} with errors of form', *wrong[:40], sep='\n')
     sys.exit(1 if wrong else 0)
