@@ -142,7 +142,7 @@ const Block* ProgramText::read(Cursor at) {
     const Block* block = decode(at, reading_);
     if (!block) return nullptr;
     ++blocks_read_;
-    if (read_to_ == at) read_to_ = block->next;
+    if (read_to_ == at && !subroutine_begin(*block)) read_to_ = block->next;  // a subroutine's number is checked later
     furthest_ = std::max(furthest_, block->next.offset);
     return back && decoder_.loop_cache && block->shape != &reading_.shape ? keep(at) : block;
 }

@@ -97,6 +97,7 @@ class Executor {
     void run(const program::Screen& screen);
     void not_yet(std::string_view word);
     ParameterValue parameter_values();
+    bool too_long(std::string_view text);
     bool runs_now(std::uint32_t program) const;
     template <class... A>
     void refuse(diag::Id id, A&&... arguments) {

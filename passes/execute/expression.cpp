@@ -56,10 +56,13 @@ double Evaluator::value(program::Expression expression) {
     double top = 0;
     for (const Node& node : block.shape->run(expression)) {
         switch (node.op) {
-            case Operator::number:
+            case Operator::number: {
+                const program::Quantity& q = block.slots[node.slot];
+                if (too_long(q)) return fail_too_long(node);
                 *below++ = top;
-                top = block.slots[node.slot].value;
+                top = q.value;
                 continue;
+            }
             case Operator::parameter: {
                 const double* cell = parameter(block.slots[node.slot].value, node.token);
                 if (!cell) return unknown_value;
@@ -98,6 +101,14 @@ double Evaluator::value(program::Expression expression) {
     return top;
 }
 
+/// A constant beyond 6.5 must be written in hexadecimal or computed (8055 T 11.3).
+double Evaluator::fail_too_long(const Node& node) {
+    const program::Quantity& q = session_.block->slots[node.slot];
+    const control::NumberFormat& format = session_.dialect.constant;
+    return fail(node, Id::number_too_long, session_.block->text.substr(q.at, q.length), format.integer_digits,
+                format.decimals_mm);
+}
+
 /// The less frequent nodes. `below` is one above the value under `top`.
 double Evaluator::other(const Node& node, double*& below, double top) {
     switch (node.op) {
@@ -107,9 +118,8 @@ double Evaluator::other(const Node& node, double*& below, double top) {
         case Operator::constant:
             *below++ = top;
             return node.operand;
-        case Operator::entry:  // what an operator types
-            session_.wanted = "IB";
-            return unknown_value;
+        case Operator::entry:
+            return variables_.entry(top, node.token);
         case Operator::negate:
             return -top;
         case Operator::not_:
@@ -217,7 +227,10 @@ std::optional<double> Evaluator::known(program::Expression expression) {
 }
 
 std::optional<std::uint32_t> Evaluator::count(program::Expression expression) {
-    const auto v = known(expression);
+    const auto nodes = session_.block->shape->run(expression);
+    // Mostly a number: a label has more digits than a value may have.
+    const bool plain = nodes.size() == 1 && nodes[0].op == Operator::number;
+    const auto v = plain ? std::optional(session_.block->slots[nodes[0].slot].value) : known(expression);
     if (!v) return std::nullopt;
     if (const auto n = whole(*v)) return n;
     session_.report(*v < 0 ? Id::negative_not_allowed : Id::decimals_not_allowed, expression.token,

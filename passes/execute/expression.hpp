@@ -12,7 +12,11 @@ namespace fagorc::passes {
 
 class Evaluator {
   public:
-    Evaluator(Session& session, Variables& variables) : session_(session), variables_(variables) {}
+    Evaluator(Session& session, Variables& variables)
+        : session_(session),
+          variables_(variables),
+          most_digits_(session.dialect.constant.integer_digits),
+          most_decimals_(session.dialect.constant.decimals_mm) {}
 
     /// The value of an expression of the session's block; unknown when an operand is, or after an error (reported at
     /// the operand; `session.failed`).
@@ -37,6 +41,10 @@ class Evaluator {
     using Node = program::Node;
     template <class... Arguments>
     double fail(const Node& node, diag::Id id, Arguments... arguments);
+    double fail_too_long(const Node& node);
+    bool too_long(const program::Quantity& q) const {
+        return (q.integer_digits > most_digits_ || q.decimals > most_decimals_) && !q.hexadecimal;
+    }
     double other(const Node& node, double*& below, double top);
     double binary(const Node& node, double a, double b);
     double power(const Node& node, double base, double exponent);
@@ -46,6 +54,7 @@ class Evaluator {
 
     Session& session_;
     Variables& variables_;
+    int most_digits_, most_decimals_;  ///< of a decimal constant
 };
 
 }  // namespace fagorc::passes

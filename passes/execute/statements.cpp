@@ -104,6 +104,12 @@ ParameterValue Executor::parameter_values() {
 
 // ---------------------------------------------------------------- messages and switches
 
+bool Executor::too_long(std::string_view text) {
+    const std::size_t most = session_.dialect.limits.text_length;
+    if (text.size() > most) refuse(Id::text_too_long, text.size(), most);
+    return text.size() > most;
+}
+
 void Executor::run(const program::ErrorStop& error) {
     constexpr std::uint32_t most = 9999;
     std::string what;
@@ -117,6 +123,7 @@ void Executor::run(const program::ErrorStop& error) {
     }
     if (error.text_slot) {
         const std::string_view text = text_of(*session_.block, *error.text_slot);
+        if (too_long(text)) return;
         what += (what.empty() ? "\"" : " \"") +
                 with_marked_values(text, parameter_values()).value_or(std::string(text)) + '"';
     }
@@ -127,6 +134,7 @@ void Executor::run(const program::ErrorStop& error) {
 
 void Executor::run(const program::Message& message) {
     const std::string_view text = text_of(*session_.block, message.text_slot);
+    if (too_long(text)) return;
     std::string shown = with_marked_values(text, parameter_values()).value_or(std::string(text));
     if (session_.failed) return;
     const auto [at, added] =

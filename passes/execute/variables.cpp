@@ -1,5 +1,7 @@
 #include "passes/execute/variables.hpp"
 
+#include <fmt/format.h>
+
 #include "ir/control/variable.hpp"
 
 namespace fagorc::passes {
@@ -10,6 +12,8 @@ using control::Role;
 using diag::Id;
 
 constexpr double mm_per_inch = 25.4;
+/// What GPOS reads for an axis that the block does not program (8055 T 11.2.7).
+constexpr double not_programmed = 100000;
 
 /// A table holds these in millimetres, a program reads them in the active unit.
 bool is_length(Role role) {
@@ -92,8 +96,7 @@ double Variables::unsupported(const Access& a, std::uint16_t token) {
     return unknown_value;
 }
 
-double Variables::live(const Access& a, std::uint16_t token) {
-    std::string full = name(a);
+double Variables::live(std::string full, std::uint16_t token) {
     if (const auto given = session_.live.value(full)) return *given;
     if (!session_.options.live_may_be_unknown) session_.report(Id::live_value_unknown, token, token + 1, full);
     session_.wanted = std::move(full);
@@ -125,9 +128,9 @@ double Variables::read(std::uint16_t payload, std::optional<double> index, std::
             if (const auto at = session_.machine.other_parameters.find(name(*a));
                 at != session_.machine.other_parameters.end())
                 return at->second;
-            return live(*a, token);
+            return live(name(*a), token);
         case Knowledge::live:
-            return live(*a, token);
+            return live(name(*a), token);
         case Knowledge::program:
         case Knowledge::overridable:
             break;
@@ -180,17 +183,38 @@ void Variables::write(std::uint16_t payload, std::optional<double> index, double
     written_[name(*a)] = value;
 }
 
+/// What an operator types is live (8055 T 12.9).
+double Variables::entry(double number, std::uint16_t token) {
+    ++uses;
+    return is_unknown(number) ? unknown_value : live(fmt::format("IB{}", number), token);
+}
+
 double Variables::position(std::uint16_t payload, double label, double program, std::uint16_t token) {
     const auto a = open(payload, {}, token);
     if (!a || is_unknown(label) || is_unknown(program)) return unknown_value;
-    program::Program* at = session_.program;
-    if (at->number() != static_cast<std::uint32_t>(program))
-        at = session_.library.program(static_cast<std::uint32_t>(program));
-    if (!at || !at->label(static_cast<std::uint32_t>(label))) {
+    program::Program* in = session_.program;
+    if (in->number() != static_cast<std::uint32_t>(program))
+        in = session_.library.program(static_cast<std::uint32_t>(program));
+    const auto at = in ? in->label(static_cast<std::uint32_t>(label)) : std::nullopt;
+    if (!at) {
         session_.report(Id::position_target_missing, token, token + 1, label, program);
         return unknown_value;
     }
-    return unsupported(*a, token);
+    // The block is looked at beside the one that is executed, as it is written: no G91, no unit (language sheet 3.7).
+    const std::string_view rest = in->text().substr(at->offset);
+    const program::Block* block =
+        in->rebind(*session_.block, rest.substr(0, rest.find_first_of("\r\n")), session_.diagnostics);
+    const auto* iso = block ? std::get_if<program::IsoBlock>(&block->shape->body) : nullptr;
+    if (!iso) return not_programmed;
+    for (const program::Word& word : block->shape->run(iso->geometry)) {
+        if (word.address != letter(axis_or_x(*a))) continue;
+        if (word.value.kind == program::WordValue::Kind::none) return 0;
+        const double number = block->slots[word.value.slot].value;
+        if (word.value.kind == program::WordValue::Kind::number) return number;
+        const double* cell = session_.parameters.find(static_cast<std::uint32_t>(number));
+        return !cell ? unknown_value : word.value.negative ? -*cell : *cell;
+    }
+    return not_programmed;
 }
 
 }  // namespace fagorc::passes

@@ -25,6 +25,8 @@ class Variables {
     void write(std::uint16_t payload, std::optional<double> index, double value, std::uint16_t token);
     /// GPOS: the coordinate programmed in a labelled block of a program (8055 T 11.2.7).
     double position(std::uint16_t payload, double label, double program, std::uint16_t token);
+    /// IBn: the value that an operator gave.
+    double entry(double number, std::uint16_t token);
 
     /// CALLP: bit n is set when the call in force gave a value to Pn (8055 T 11.2.14).
     std::uint32_t call_parameters = 0;
@@ -42,7 +44,7 @@ class Variables {
     std::optional<Access> open(std::uint16_t payload, std::optional<double> index, std::uint16_t token);
     bool check_index(Access& access, double index, std::uint16_t token);
     std::string name(const Access& access) const;
-    double live(const Access& access, std::uint16_t token);
+    double live(std::string full_name, std::uint16_t token);
     bool fits(const Access& access, double value, std::uint16_t token);
     static Axis axis_or_x(const Access& access);
     /// Millimetres (or degrees) of one unit in which the program reads and writes.

@@ -89,6 +89,13 @@ TEST(Expression, MarksTheOperandThatHasNoValue) {
     EXPECT_EQ(run.findings[0].place.end_column, 12u);
 }
 
+TEST(Expression, TakesConstantsOfSixDigitsAndFiveDecimals) {
+    EXPECT_EQ(value("123456.12345"), "123456.12345");
+    EXPECT_EQ(value("1234567"), "number_too_long 0147");
+    EXPECT_EQ(value("0.123456"), "number_too_long 0147");
+    EXPECT_EQ(value("$FFFFFFFE"), "4294967294");
+}
+
 TEST(Indirect, RoundsTheNumberOfTheParameter) {
     EXPECT_EQ(last_message("(P8=9, P9=3)\n(P100=P(P8+SIN(P8*20)))\n(MSG \"?P100\")\nM30\n"), "3");  // SIN 180
     EXPECT_EQ(last_message("(P107=100)\n(P(P107+2)=8)\n(MSG \"?P102\")\nM30\n"), "8");
@@ -125,6 +132,14 @@ TEST(Variables, RefuseWhatTheControlRefuses) {
     EXPECT_EQ(last_message("(P100=PLCI 600)\nM30\n"), "plc_resource_out_of_range 1051");
     EXPECT_EQ(last_message("(ANAO8=2.5)\nM30\n"), "analog_output_busy 0077");
     EXPECT_EQ(last_message("(ANAO1=12)\nM30\n"), "analog_output_out_of_range 0176");
+}
+
+TEST(Variables, LookAtTheTextOfAnotherBlock) {  // GPOS: the value written, 100000 for an axis that is not there
+    const std::string program = "(P7=12.5)\n(OPEN P100, D)\n(WRITE N99 G0 X20 Z$P7)\n(OPEN P101, D)\n";
+    EXPECT_EQ(last_message(program + "(P110=GPOSX N99 P100, P111=GPOSZ N99 P100, P112=GPOSY N99 P100)\n"
+                                     "(MSG \"?P110 ?P111 ?P112\")\nM30\n"),
+              "20 12.5 100000");
+    EXPECT_EQ(last_message("(P110=GPOSX N99 P999)\nM30\n"), "position_target_missing");
 }
 
 TEST(LiveValues, AreGivenOrNamed) {

@@ -14,7 +14,11 @@ TEST(Goto, JumpsToTheFirstBlockWithTheLabel) {
     EXPECT_EQ(last_message("(P1=0)\nN1 (P1=P1+1)\n(IF P1 LT 5 GOTO N1)\n(MSG \"?P1\")\nM30\n"), "5");
     EXPECT_EQ(run_program("G152\n(P1=10)\n(GOTO N(P1*2))\nX99\nN20 X1\nM30\n").moves(), (Moves{"1 0"}));
     EXPECT_EQ(last_message("(GOTO N99)\nM30\n"), "label_undefined 1059");
-    EXPECT_EQ(last_message("(P1=1)\n(GOTO N(100000000*P1))\nM30\n"), "jump_label_out_of_range 0062");
+    EXPECT_EQ(last_message("(P1=1)\n(GOTO N(100000*1000*P1))\nM30\n"), "jump_label_out_of_range 0062");
+}
+
+TEST(Goto, TakesLabelsLongerThanAConstant) {
+    EXPECT_EQ(run_program("(GOTO N12345678)\nX99\nN12345678 M30\n").errors(), "");
 }
 
 TEST(If, TakesOneOfTwoActions) {
@@ -123,6 +127,7 @@ TEST(Subroutines, StandBehindTheMainPart) {
     EXPECT_EQ(library.errors(), "");
     EXPECT_TRUE(library.result.completed);
     EXPECT_TRUE(library.moves().empty());
+    EXPECT_EQ(run_program("%LIB,MX,\n(SUB 10000)\n(RET)\n").errors(), "subroutine_number_out_of_range 0063");
 }
 
 TEST(Program, EndsAtM30OrWithAWarning) {
@@ -164,6 +169,12 @@ TEST(Error, StopsWithNumberAndText) {
     ASSERT_EQ(run.findings.size(), 1u);
     EXPECT_EQ(run.findings[0].arguments[0].plain, "9 \"no tool\"");
     EXPECT_TRUE(run.moves().empty());
+}
+
+TEST(Texts, HaveAtMost59Characters) {
+    EXPECT_EQ(run_program("(MSG \"" + std::string(59, 'A') + "\")\nM30\n").errors(), "");
+    EXPECT_EQ(run_program("(MSG \"" + std::string(60, 'A') + "\")\nM30\n").errors(), "text_too_long 0148");
+    EXPECT_EQ(run_program("(ERROR 1, \"" + std::string(60, 'A') + "\")\nM30\n").errors(), "text_too_long 0148");
 }
 
 TEST(GraphicZone, NeedsItsLimitsInOrder) {
