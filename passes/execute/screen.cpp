@@ -32,6 +32,11 @@ bool format_fits(double format) {
     return before <= 6 && after <= 5;
 }
 
+/// Pages 0 to 255 are the user's, those from 1000 on the system's (8055 T 12.9); there is none between.
+bool is_no_page(Keyword word, double number) {
+    return word == Keyword::page && number > 255 && number < 1000;
+}
+
 bool ends_program(const program::FunctionCall& misc) {
     return misc.number == 30 || misc.number == 2;
 }
@@ -111,7 +116,7 @@ void ScreenChecker::check(const program::Screen& screen) {
         if (c.word != screen.word || !row || c.operand >= row->operands.size()) continue;
         for (std::size_t i = c.operand; i < screen.operands.size(); i += c.group) {
             const auto value = constant(screen.operands[i]);
-            if (value && !row->operands[c.operand].range.allows(*value)) {
+            if (value && (!row->operands[c.operand].range.allows(*value) || is_no_page(screen.word, *value))) {
                 session_.report(c.id, screen.operands[i].token, screen.operands[i].end_token, *value);
             } else if (c.operand == 0 && (screen.word == Keyword::odw || is_window(screen.word))) {
                 window(value.value_or(unknown_value), screen.operands[i], screen.word == Keyword::odw);

@@ -202,6 +202,8 @@ TEST(Customisation, IsCheckedAsAText) {
               "");
     EXPECT_EQ(last_message("G90 G01 X10 F100\n(PAGE 10)\nM30\n"), "screen_statement_in_part 0108");
     EXPECT_EQ(last_message("(PAGE 10)\n(P1=5)\n(SYSTEM)\n"), "local_parameter_not_allowed 0110");
+    EXPECT_EQ(last_message("(PAGE 300)\n(SYSTEM)\n"), "page_out_of_range 0103");
+    EXPECT_EQ(last_message("(PAGE 255)\n(PAGE 1000)\n(SYSTEM)\n"), "");
     EXPECT_EQ(last_message("(DW5=100)\n(SYSTEM)\n"), "window_not_defined 0171");
     EXPECT_EQ(last_message("(SK 9=\"X\")\n(SYSTEM)\n"), "softkey_out_of_range 0098");
     EXPECT_EQ(last_message("(IB1=INPUT \"X:\", 7.5)\n(SYSTEM)\n"), "entry_format_too_large 0107");
