@@ -1,3 +1,4 @@
+// fagorc dump FILE.ftj: what a trajectory file holds, as text or as a table.
 #include <fmt/format.h>
 
 #include <array>

@@ -1,3 +1,4 @@
+// fagorc verify FILE.ftj: checks every block of a trajectory file.
 #include "runtime/player/verify.hpp"
 
 #include "tools/fagorc/trajectory/trajectory.hpp"
