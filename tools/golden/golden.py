@@ -149,14 +149,15 @@ class Golden:
         return out
 
     def update(self, run, seen):
+        code = run.sections.pop('exit', None)
+        if code:
+            self.sections.remove(code)
         for kind, s in run.sections.items():
-            if kind == 'exit':
-                s.words[1] = seen['exit']
-            else:
-                s.body = seen[kind]
-        if 'exit' not in run.sections and seen['exit'] != '0':
-            last = max(self.sections.index(s) for s in run.sections.values())
-            self.sections.insert(last + 1, Section(['exit', seen['exit']], 0))
+            s.body = seen[kind]
+        if seen['exit'] != '0':                   # 0 is what a run without the section must end with
+            run.sections['exit'] = Section(['exit', seen['exit']], 0)
+            last = max(self.sections.index(s) for s in run.sections.values() if s in self.sections)
+            self.sections.insert(last + 1, run.sections['exit'])
 
     def text(self):
         return self.head + ''.join(MARK + shlex.join(s.words) + '\n' + s.body for s in self.sections)
