@@ -51,7 +51,7 @@ TEST_F(Tables, ReadsLatheTables) {
           "    D001     X   12.50000     Z-   3.25000     R    0.80000     F 3     I-   0.10000     K    0.02000\r\n"
           "    D002     X    0.00000     Z    0.00000     R    0.00000     F 0     I    0.00000     K    0.00000\r\n");
     write("TLF", "          T0001               D002               F201          \r\n");
-    machine_.tools[1].insert_width = 4.5;   // as a machine file says: the tables hold no inserts
+    machine_.tools[1].insert_width = 4.5;  // as a machine file says: the tables hold no inserts
     write("TMZ", "               P004                   T0001\r\n               P005                   T    \r\n");
     write("ORG",
           "      G54         X  156.50000         Z-   0.01250                       \r\n"

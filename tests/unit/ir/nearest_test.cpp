@@ -11,11 +11,11 @@ namespace {
 constexpr std::array<std::string_view, 5> names = {"CIRINERR", "IPLANE", "units", "min", "max"};
 
 TEST(Nearest, FindsSlips) {
-    EXPECT_EQ(nearest("CIRINER", names), "CIRINERR");    // a letter left out
-    EXPECT_EQ(nearest("unitss", names), "units");        // one too many
-    EXPECT_EQ(nearest("IPLAEN", names), "IPLANE");       // two swapped
-    EXPECT_EQ(nearest("Units", names), "units");         // letter case is no difference
-    EXPECT_EQ(nearest("mix", names), "min");             // the first of two at the same distance
+    EXPECT_EQ(nearest("CIRINER", names), "CIRINERR");  // a letter left out
+    EXPECT_EQ(nearest("unitss", names), "units");      // one too many
+    EXPECT_EQ(nearest("IPLAEN", names), "IPLANE");     // two swapped
+    EXPECT_EQ(nearest("Units", names), "units");       // letter case is no difference
+    EXPECT_EQ(nearest("mix", names), "min");           // the first of two at the same distance
 }
 
 TEST(Nearest, LeavesDifferentWordsAlone) {
