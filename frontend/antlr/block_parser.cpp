@@ -55,11 +55,11 @@ syntax::Rule rule_of(std::size_t rule) {
     }
 }
 
-syntax::Error error_of(const Stopped& at) {
+syntax::Error error_of(const FirstError& at) {
     using T = Fagor8055;
     syntax::Error e{rule_of(at.rule), static_cast<Index>(at.token), 0};
     const auto note = [&](std::size_t type, syntax::Expected flag) {
-        if (at.expected.contains(type)) e.expected = static_cast<std::uint16_t>(e.expected | flag);
+        if (at.expected->contains(type)) e.expected = static_cast<std::uint16_t>(e.expected | flag);
     };
     note(T::EOF, syntax::expects_end);
     note(T::NUMBER, syntax::expects_number);
@@ -316,11 +316,12 @@ class Reader : private ExpressionReader {
 struct BlockParser::Antlr {
     explicit Antlr(const control::Dialect& dialect) : types(dialect), parser(&stream) {
         parser.removeErrorListeners();
-        parser.setErrorHandler(std::make_shared<FirstErrorStops>());
+        parser.setErrorHandler(errors);
     }
 
     TokenTypes types;
     KeyStream stream;
+    std::shared_ptr<FirstErrorStops> errors = std::make_shared<FirstErrorStops>(stream);
     Fagor8055 parser;
 };
 
@@ -334,11 +335,9 @@ std::variant<syntax::Block, syntax::Error> BlockParser::parse(std::span<const sy
     Antlr& a = *antlr_;
     a.stream.load(tokens, a.types);
     a.parser.reset();
-    try {
-        return Reader().block(*a.parser.block());
-    } catch (const Stopped& e) {
-        return error_of(e);
-    }
+    const Fagor8055::BlockContext& tree = *a.parser.block();
+    if (a.errors->first()) return error_of(*a.errors->first());
+    return Reader().block(tree);
 }
 
 }  // namespace fagorc::frontend

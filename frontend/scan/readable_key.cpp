@@ -15,15 +15,10 @@ std::string word(Token t, std::uint16_t payload, const control::Dialect& dialect
             return fmt::format("M{}", payload);
         case Token::skip:
             return fmt::format("/{}", payload);
-        case Token::variable: {
-            const int axis = control::variable_axis(payload);
-            std::string name(dialect.variables[control::variable_row(payload)].name);
-            return axis < 0 ? name : name + letter(all_axes[static_cast<std::size_t>(axis)]);
-        }
+        case Token::variable:
+            return dialect.variable_name(payload);
         default:
-            for (const control::ReservedWord& w : dialect.words)
-                if (w.token == t && w.payload == payload) return std::string(w.text);
-            return "?";
+            return std::string(dialect.word(t, payload));
     }
 }
 

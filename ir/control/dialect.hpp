@@ -101,6 +101,9 @@ struct Dialect {
     const SisterCode* find_sister(char letter, std::uint16_t number) const;
     /// The text of a keyword, function or relation; empty where the control has no such word.
     std::string_view word(program::Token kind, std::uint16_t payload) const;
+    std::string_view word(program::Keyword keyword) const {
+        return word(program::Token::keyword, static_cast<std::uint16_t>(keyword));
+    }
     /// The name of a variable with its axis letter: "POSX". Empty for a payload of no row.
     std::string variable_name(std::uint16_t payload) const;
     /// The row of a statement's word ("GOTO"); null where the control has none.

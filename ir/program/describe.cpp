@@ -155,7 +155,7 @@ class Describer {
         std::string text;
         for (const Expression e : s.operands) text += (text.empty() ? "" : ", ") + of(e);
         for (const std::uint16_t slot : s.text_slots) text += fmt::format("{}#{}", text.empty() ? "" : ", ", slot);
-        return fmt::format("screen({}: {})", dialect_.word(Token::keyword, static_cast<std::uint16_t>(s.word)), text);
+        return fmt::format("screen({}: {})", dialect_.word(s.word), text);
     }
     std::string branch(const If& i) const {
         std::string text = of(i.condition);

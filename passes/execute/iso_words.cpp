@@ -24,6 +24,7 @@ double IsoRunner::Control::other_number(const Word& word) {
         session.report_once(diag::Id::number_left_out, word.token, word.end_token, word.address);
         return 0;
     }
+    if (word.value.kind == WordValue::Kind::literal) return word.value.slot;
     const double number = session.block->slots[word.value.slot].value;
     const double* cell = session.parameters.find(static_cast<std::uint32_t>(number));
     if (cell == nullptr) {

@@ -55,12 +55,6 @@ bool is_customisation(program::Program& program) {
     return true;
 }
 
-std::string_view word_of(const control::Dialect& dialect, Keyword keyword) {
-    for (const control::ReservedWord& w : dialect.words)
-        if (w.token == program::Token::keyword && w.payload == static_cast<std::uint16_t>(keyword)) return w.text;
-    return {};
-}
-
 void ScreenChecker::check() {
     const program::BlockTemplate& shape = *session_.block->shape;
     if (const auto* statement = std::get_if<program::Statement>(&shape.body)) check(*statement);
@@ -111,7 +105,7 @@ std::optional<double> ScreenChecker::constant(program::Expression expression) co
 
 void ScreenChecker::check(const program::Screen& screen) {
     for (const program::Expression& e : screen.operands) check(e);
-    const control::StatementRow* row = session_.dialect.find_statement(word_of(session_.dialect, screen.word));
+    const control::StatementRow* row = session_.dialect.find_statement(session_.dialect.word(screen.word));
     for (const OperandCheck& c : checks) {
         if (c.word != screen.word || !row || c.operand >= row->operands.size()) continue;
         for (std::size_t i = c.operand; i < screen.operands.size(); i += c.group) {

@@ -13,9 +13,6 @@ namespace fagorc::passes {
 /// (language sheet 6.15). Reads the program: the session's block must be read again.
 bool is_customisation(program::Program& program);
 
-/// The word of a statement as a program writes it.
-std::string_view word_of(const control::Dialect& dialect, program::Keyword keyword);
-
 /// Checks the blocks of a customisation program one after the other: no local parameters, constants of the screen
 /// statements in their ranges, windows defined before they are written to.
 class ScreenChecker {

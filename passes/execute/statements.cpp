@@ -177,7 +177,7 @@ void Executor::run(const program::Screen& screen) {
     const program::Cursor here = session_.block->here;
     const bool customisation = is_customisation(program);
     session_.block = program.read(here);
-    if (!customisation) return refuse(Id::screen_statement_in_part, word_of(session_.dialect, screen.word));
+    if (!customisation) return refuse(Id::screen_statement_in_part, session_.dialect.word(screen.word));
     ScreenChecker checker(session_);
     for (program::Cursor at = program.start(); const program::Block* block = program.read(at); at = block->next) {
         session_.block = block;
