@@ -3,7 +3,7 @@
 
 #include <Fagor8055.h>
 
-#include <vector>
+#include <utility>
 
 #include "frontend/antlr/tree.hpp"
 
@@ -13,6 +13,14 @@ using grammar::Fagor8055;
 using program::Expression;
 using program::Node;
 using program::Operator;
+
+/// All binary operators but the relations.
+inline constexpr std::pair<std::size_t, Operator> binary_operators[] = {
+    {Fagor8055::PLUS, Operator::add},       {Fagor8055::MINUS, Operator::subtract},
+    {Fagor8055::TIMES, Operator::multiply}, {Fagor8055::DIVIDE, Operator::divide},
+    {Fagor8055::EXP, Operator::power},      {Fagor8055::MOD, Operator::modulo},
+    {Fagor8055::AND, Operator::and_},       {Fagor8055::OR, Operator::or_},
+    {Fagor8055::XOR, Operator::xor_}};
 
 /// The part of a tree reader that knows expressions.
 class ExpressionReader {
@@ -51,7 +59,7 @@ class ExpressionReader {
   private:
     void push(const Node& node) { out_.nodes.push_back(node); }
 
-    /// Any level of the expression grammar: operands with operators between them. Levels without operator are passed
+    /// Any level of the expression grammar, which has them in a row down to unary. Those without operator are passed
     /// by.
     void value(const ParserRuleContext& of) {
         const ParserRuleContext* c = &of;
@@ -71,28 +79,9 @@ class ExpressionReader {
     }
 
     static Operator binary_operator(std::size_t type) {
-        switch (type) {
-            case Fagor8055::OR:
-                return Operator::or_;
-            case Fagor8055::AND:
-                return Operator::and_;
-            case Fagor8055::XOR:
-                return Operator::xor_;
-            case Fagor8055::PLUS:
-                return Operator::add;
-            case Fagor8055::MINUS:
-                return Operator::subtract;
-            case Fagor8055::TIMES:
-                return Operator::multiply;
-            case Fagor8055::DIVIDE:
-                return Operator::divide;
-            case Fagor8055::EXP:
-                return Operator::power;
-            case Fagor8055::MOD:
-                return Operator::modulo;
-            default:
-                return Operator::compare;
-        }
+        for (const auto& [terminal, op] : binary_operators)
+            if (terminal == type) return op;
+        return Operator::compare;
     }
 
     /// Signs, NOT and functions, from the innermost outwards.
@@ -103,18 +92,11 @@ class ExpressionReader {
         const bool plain = operand.start->getType() == Fagor8055::NUMBER || operand.start->getType() == Fagor8055::LEFT;
         for (std::size_t i = signs; i-- > 0;) {
             const antlr4::Token* token = leaf(c, i);
-            switch (token->getType()) {
-                case Fagor8055::PLUS:
-                    break;
-                case Fagor8055::MINUS:
-                    push({.op = Operator::negate, .token = place(token)});
-                    break;
-                case Fagor8055::NOT:
-                    push({.op = Operator::not_, .token = place(token)});
-                    break;
-                default:
-                    if (!plain) out_.bare_arguments.push_back(place(token));
-                    push({.op = Operator::function, .operand = key(token).payload, .token = place(token)});
+            if (const std::size_t type = token->getType(); type == Fagor8055::FUNCTION) {
+                if (!plain) out_.bare_arguments.push_back(place(token));
+                push({.op = Operator::function, .operand = key(token).payload, .token = place(token)});
+            } else if (type != Fagor8055::PLUS) {
+                push({.op = type == Fagor8055::NOT ? Operator::not_ : Operator::negate, .token = place(token)});
             }
         }
     }

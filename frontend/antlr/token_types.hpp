@@ -6,98 +6,81 @@
 
 #include <array>
 #include <cstddef>
+#include <initializer_list>
 
 #include "frontend/bind/syntax.hpp"
 #include "ir/control/dialect.hpp"
 
 namespace fagorc::frontend {
 
-/// The terminal of each keyword: one for all words of the same form.
-constexpr std::size_t terminal(program::Keyword word) {
-    using T = grammar::Fagor8055;
-    using enum program::Keyword;
-    switch (word) {
-        case if_:
-            return T::IF;
-        case else_:
-            return T::ELSE;
-        case goto_:
-            return T::GOTO;
-        case rpt:
-            return T::RPT;
-        case sub:
-        case lsub:
-            return T::SUB;
-        case ll:
-        case call:
-        case pcall:
-        case mcall:
-        case probe:
-            return T::CALL;
-        case ret:
-        case mdoff:
-        case wkey:
-        case system:
-            return T::ALONE;
-        case esblk:
-        case dsblk:
-        case estop:
-        case dstop:
-        case efhold:
-        case dfhold:
-            return T::ALONE;
-        case repos:
-            return T::REPOS;
-        case exec:
-        case mexec:
-            return T::EXEC;
-        case open:
-            return T::OPEN;
-        case write:
-        case msg:
-            return T::ONE_TEXT;
-        case error:
-            return T::ERROR;
-        case dgwz:
-        case page:
-        case symbol:
-        case odw:
-            return T::OPERANDS;
-        case ib:
-            return T::IB;
-        case input:
-            return T::INPUT;
-        case dw:
-        case dwh:
-        case dwb:
-            return T::WINDOW;
-        case sk:
-            return T::SK;
-        case wbuf:
-            return T::WBUF;
-        case device_hd:
-        case device_dnc2:
-        case device_dnce:
-            return T::DEVICE;
-        case not_:
-            return T::NOT;
-        case and_:
-            return T::AND;
-        case or_:
-            return T::OR;
-        case xor_:
-            return T::XOR;
-        case exp:
-            return T::EXP;
-        case mod:
-            return T::MOD;
-        case arg:
-            return T::ARG;
-        case pi:
-            return T::PI;
-    }
-    return T::OTHER;
-}
+namespace terminals {
+
+using T = grammar::Fagor8055;
+using enum program::Keyword;
+
+/// By the value of the keyword: one terminal for all words of the same form.
+inline constexpr auto by_keyword = [] {
+    std::array<std::size_t, static_cast<std::size_t>(pi) + 1> all{};
+    const auto put = [&](std::size_t terminal, std::initializer_list<program::Keyword> words) {
+        for (const program::Keyword w : words) all[static_cast<std::size_t>(w)] = terminal;
+    };
+    put(T::IF, {if_});
+    put(T::ELSE, {else_});
+    put(T::GOTO, {goto_});
+    put(T::RPT, {rpt});
+    put(T::SUB, {sub, lsub});
+    put(T::CALL, {ll, call, pcall, mcall, probe});
+    put(T::EXEC, {exec, mexec});
+    put(T::OPEN, {open});
+    put(T::REPOS, {repos});
+    put(T::ERROR, {error});
+    put(T::ONE_TEXT, {write, msg});
+    put(T::OPERANDS, {dgwz, page, symbol, odw});
+    put(T::ALONE, {ret, mdoff, esblk, dsblk, estop, dstop, efhold, dfhold, wkey, system});
+    put(T::DEVICE, {device_hd, device_dnc2, device_dnce});
+    put(T::IB, {ib});
+    put(T::INPUT, {input});
+    put(T::WINDOW, {dw, dwh, dwb});
+    put(T::SK, {sk});
+    put(T::WBUF, {wbuf});
+    put(T::NOT, {not_});
+    put(T::AND, {and_});
+    put(T::OR, {or_});
+    put(T::XOR, {xor_});
+    put(T::EXP, {exp});
+    put(T::MOD, {mod});
+    put(T::ARG, {arg});
+    put(T::PI, {pi});
+    return all;
+}();
+
+/// By the value of the token, where no table decides.
+inline constexpr auto by_token = [] {
+    using program::Token;
+    std::array<std::size_t, 256> all{};
+    all.fill(T::OTHER);
+    const auto put = [&](std::size_t terminal, Token kind) { all[static_cast<std::size_t>(kind)] = terminal; };
+    for (char c = 'A'; c <= 'Z'; ++c) put(T::LETTER, program::letter_token(c));
+    put(T::LETTER_N, program::letter_token('N'));
+    put(T::LETTER_P, program::letter_token('P'));
+    put(T::NUMBER, Token::number);
+    put(T::TEXT, Token::text);
+    put(T::LEFT, Token::left_parenthesis);
+    put(T::RIGHT, Token::right_parenthesis);
+    put(T::COMMA, Token::comma);
+    put(T::EQUALS, Token::equals);
+    put(T::PLUS, Token::plus);
+    put(T::MINUS, Token::minus);
+    put(T::TIMES, Token::times);
+    put(T::DIVIDE, Token::divide);
+    put(T::SKIP_MARK, Token::skip);
+    put(T::M_CODE, Token::m_code);
+    put(T::FUNCTION, Token::function);
+    put(T::RELATION, Token::relation);
+    return all;
+}();
+
+}  // namespace terminals
 
 /// The terminal of a token, by the control's tables where its form depends on them.
 class TokenTypes {
@@ -105,49 +88,16 @@ class TokenTypes {
     explicit TokenTypes(const control::Dialect& dialect) : dialect_(dialect) {}
 
     std::size_t of(const syntax::Token& t) const {
-        using T = grammar::Fagor8055;
-        using program::Token;
-        if (is_letter(t.kind))
-            return t.kind == program::letter_token('N')   ? T::LETTER_N
-                   : t.kind == program::letter_token('P') ? T::LETTER_P
-                                                          : T::LETTER;
         switch (t.kind) {
-            case Token::number:
-                return T::NUMBER;
-            case Token::text:
-                return T::TEXT;
-            case Token::left_parenthesis:
-                return T::LEFT;
-            case Token::right_parenthesis:
-                return T::RIGHT;
-            case Token::comma:
-                return T::COMMA;
-            case Token::equals:
-                return T::EQUALS;
-            case Token::plus:
-                return T::PLUS;
-            case Token::minus:
-                return T::MINUS;
-            case Token::times:
-                return T::TIMES;
-            case Token::divide:
-                return T::DIVIDE;
-            case Token::skip:
-                return T::SKIP_MARK;
-            case Token::m_code:
-                return T::M_CODE;
-            case Token::g_code:
+            case program::Token::g_code:
                 return code(t.payload);
-            case Token::keyword:
-                return terminal(static_cast<program::Keyword>(t.payload));
-            case Token::function:
-                return T::FUNCTION;
-            case Token::relation:
-                return T::RELATION;
-            case Token::variable:
+            case program::Token::variable:
                 return variable(t.payload);
+            case program::Token::keyword:
+                if (t.payload >= terminals::by_keyword.size()) return terminals::T::OTHER;
+                return terminals::by_keyword[t.payload];
             default:
-                return T::OTHER;
+                return terminals::by_token[static_cast<std::size_t>(t.kind)];
         }
     }
 

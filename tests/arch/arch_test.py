@@ -38,8 +38,6 @@ NAMED = {
 
 LINES = {'.hpp': 150, '.cpp': 400, '.py': 400}
 LONG = {
-    'frontend/antlr/expression_reader.hpp': 'inlined into the one .cpp that may see the generated parser',
-    'frontend/antlr/token_types.hpp': 'a table: one line a token',
     'passes/execute/executor.hpp': 'one class, the loop over blocks, with a comment on every member',
     'passes/execute/iso_control.hpp': 'the ISO runner is one state with many small parts that all share it',
 }
