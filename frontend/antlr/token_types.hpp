@@ -4,6 +4,7 @@
 
 #include <Fagor8055.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <initializer_list>
@@ -53,6 +54,8 @@ inline constexpr auto by_keyword = [] {
     put(T::PI, {pi});
     return all;
 }();
+static_assert(std::find(by_keyword.begin(), by_keyword.end(), std::size_t{0}) == by_keyword.end(),
+              "a keyword without a terminal");
 
 /// By the value of the token, where no table decides.
 inline constexpr auto by_token = [] {

@@ -1,22 +1,19 @@
-// The control as ISO blocks see it: what the runner keeps from block to block, and the steps of a block in the order of
-// 8055 T 9.2. Its members are defined by subject: iso.cpp, iso_words, iso_functions, iso_motion, iso_arc,
-// iso_technology, iso_misc, iso_variables.
+// The control as ISO blocks see it: the steps of a block in the order of 8055 T 9.2, on what it keeps (IsoState). Its
+// members are defined by subject: iso.cpp, iso_words, iso_functions, iso_motion, iso_arc, iso_technology, iso_misc,
+// iso_variables.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
-#include <set>
 #include <span>
-#include <vector>
 
 #include "passes/execute/iso.hpp"
 #include "passes/execute/iso_forms.hpp"
-#include "passes/execute/zero_offsets.hpp"
+#include "passes/execute/iso_state.hpp"
 
 namespace fagorc::passes {
 
-struct IsoRunner::Control {
+struct IsoRunner::Control : IsoState {
     explicit Control(Session& session);
 
     // -- the order of a block (iso.cpp)
@@ -143,52 +140,6 @@ struct IsoRunner::Control {
 
     Session& session;
     Outcome outcome;
-
-    // -- modal state
-    operation::State state;
-    std::array<std::optional<operation::StateId>, 6> state_ids;  ///< of `state` by motion mode: G0 and G1 alternate
-    const control::Construct* motion_row = nullptr;              ///< row of the motion mode in force
-    ZeroOffsets offsets;
-    PolarFrame polar;
-    PathEnd path;
-    std::uint64_t block_count = 0;
-
-    // -- position: now.others holds the tip of every axis in part coordinates, also of the plane's
-    operation::Operation now;      ///< the operation to come; fields change in place
-    PerAxis<double> programmed{};  ///< from where increments count (8055 T 3.5)
-    PerAxis<double> target{};      ///< of the words of the block at hand
-
-    // -- F and S by their modes; feeds in mm/min, mm/rev, 1/min, speeds in rpm, m/min
-    std::array<double, 3> feeds{};
-    std::array<std::optional<double>, 2> speeds;
-    bool cutting_checked = false;  ///< F and S suffice for a move at the feed
-    struct NextTool {
-        std::uint16_t tool = 0, offset = 0;
-    };
-    std::optional<NextTool> next_tool;  ///< T that waits for M06
-    double oriented_angle = 0;          ///< of the last M19
-    double live_tool_speed = 0;         ///< of the last M45
-    std::set<std::uint16_t> sent;       ///< M functions without a meaning of their own that were sent (MSn)
-
-    // -- of the block at hand
-    BlockForm form;
-    bool form_used = false;  ///< `form` says something: it is cleared before the next block
-    bool rounding_told = false;
-    /// What has called a subroutine that runs, innermost last; an M is sent at its end where `send` says so.
-    struct Waiting {
-        enum class For : std::uint8_t { misc, tool, home } what = For::misc;
-        std::uint16_t number = 0;
-        bool send = false;
-    };
-    std::vector<Waiting> waiting;
-    std::optional<std::uint16_t> queued_misc;  ///< its subroutine follows the tool's
-
-    // -- conversion, from the modal state
-    double unit = 1;  ///< mm of a length unit
-    double word_limit = 1e5;
-    std::uint8_t most_decimals = 4;
-    PerAxis<double> scale{};  ///< mm, X as a radius, or degrees of one unit of an axis word
-    PerAxis<AxisWay> way{};
 };
 
 }  // namespace fagorc::passes

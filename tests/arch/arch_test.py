@@ -37,10 +37,6 @@ NAMED = {
 }
 
 LINES = {'.hpp': 150, '.cpp': 400, '.py': 400}
-LONG = {
-    'passes/execute/executor.hpp': 'one class, the loop over blocks, with a comment on every member',
-    'passes/execute/iso_control.hpp': 'the ISO runner is one state with many small parts that all share it',
-}
 
 
 def files(*endings):
@@ -125,10 +121,9 @@ class Architecture(unittest.TestCase):
         found = []
         for name in files(*LINES):
             count, most = len(lines(name)) - 1, LINES[os.path.splitext(name)[1]]
-            if count > most and name not in LONG:
+            if count > most:
                 found.append(f'{name}: {count} lines, {most} at most')
-        self.none(found, 'a file that is longer does more than one thing, or needs a reason in LONG')
-        self.none([f for f in LONG if f not in files(*CODE)], 'reasons for files that are gone')
+        self.none(found, 'a file that is longer does more than one thing')
 
     def test_nothing_points_outside_the_project(self):
         # Where this checkout lies, and where people keep theirs.
