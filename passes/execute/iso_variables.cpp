@@ -145,7 +145,11 @@ constexpr std::pair<std::string_view, Read> readers[] = {
     {"PRGSL", [](const Control& c, Request) -> Value { return c.state.speed_limit; }},
     {"PRGSP", [](const Control& c, Request) -> Value { return c.oriented_angle; }},
     {"ASPROG", [](const Control& c, Request) -> Value { return c.live_tool_speed; }},
-    {"PRGN", [](const Control& c, Request) -> Value { return c.session.program->number().value_or(0); }},
+    {"PRGN",
+     [](const Control& c, Request) -> Value {
+         const auto number = c.session.program->number();
+         return number ? *number : -1.0;  // -1: a program without a number
+     }},
     {"GS", function_state},
     {"MS", misc_state},
     {"PLANE",
