@@ -67,7 +67,8 @@ std::string row_of(const program::PlacedToken& token, const Dialect& dialect, bo
     if (token.kind == Token::variable)
         return "variable " + std::string(dialect.variables[control::variable_row(token.payload)].name);
     if (program::has_payload(token.kind)) return std::string(dialect.word(token.kind, token.payload));
-    if (program::is_letter(token.kind)) return iso ? std::string("word ") + static_cast<char>(token.kind) : std::string();
+    if (program::is_letter(token.kind))
+        return iso ? std::string("word ") + static_cast<char>(token.kind) : std::string();
     return std::string(1, static_cast<char>(token.kind));
 }
 

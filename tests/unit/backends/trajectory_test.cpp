@@ -188,6 +188,25 @@ TEST(Trajectory, EveryFlippedByteIsDetected) {
         }
 }
 
+TEST(Trajectory, EveryLengthThatIsTooShortIsDetected) {
+    Stream s;
+    s.rapid(1, 2);
+    s.message("ready");
+    s.line(3, 4);
+    const auto bytes = written(s);
+    for (std::size_t size = 0; size < bytes.size(); ++size) {
+        // A copy of its own: the sanitizer sees a byte read behind it.
+        const std::vector<std::byte> cut(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
+        EXPECT_EQ(player::verify(cut).status, size < 8 ? Status::not_a_trajectory : Status::truncated) << size;
+        player::Trajectory t;
+        t.open(cut);
+        player::MoveReader reader(t);
+        std::uint64_t read = 0;
+        while (reader.next()) ++read;
+        EXPECT_EQ(read, t.moves()) << size;
+    }
+}
+
 TEST(Trajectory, ATruncatedFileIsReadableUpToItsLastWholeBlock) {
     Stream s = many(5000);
     auto bytes = written(s);
