@@ -91,6 +91,7 @@ class IsoBinder {
         } else if (const control::SisterCode* sister = b_.dialect.find_sister('G', number)) {
             b_.report(Id::code_of_sister_model, first, end, spelled, sister->title, b_.dialect.sister_model,
                       b_.dialect.model);
+            sister_ = true;
         } else {
             b_.report(Id::unknown_g, first, end, spelled, b_.dialect.model);
         }
@@ -186,6 +187,8 @@ class IsoBinder {
         }
         if (axis_of(w.address) || (b_.motion_letters & bit(w.address)))
             geometry(w);
+        else if (sister_)
+            return;  // perhaps an operand of the sister model's code
         else if (!calls_.empty() && calls_.front().construct)
             b_.report(Id::word_not_taken, w.token, w.end_token, w.address, calls_.front().construct->code);
         else
@@ -270,6 +273,7 @@ class IsoBinder {
     }();  ///< who takes a letter anywhere in the block
     int cycle_ = nobody, next_ = nobody;
     std::uint32_t next_taken_ = 0, owned_ = 0;
+    bool sister_ = false;  ///< the block has a code of the sister model
     program::IsoBlock block_;
 };
 

@@ -135,6 +135,11 @@ class Explainer {
     }
 
     void unknown(const std::string& word, std::uint32_t first, std::uint32_t end) {
+        if (const control::SisterWord* sister = b_.dialect.find_sister(word)) {
+            b_.report(Id::word_of_sister_model, first, end, word, sister->title, b_.dialect.sister_model,
+                      b_.dialect.model);
+            return;
+        }
         std::vector<std::string_view> names;
         for (const control::ReservedWord& w : b_.dialect.words) names.push_back(w.text);
         if (const std::string_view near = nearest(word, names); !near.empty())

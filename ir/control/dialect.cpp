@@ -18,10 +18,15 @@ const SisterCode* Dialect::find_sister(char letter, std::uint16_t number) const 
     return at != sister_codes.end() ? &*at : nullptr;
 }
 
+const SisterWord* Dialect::find_sister(std::string_view word) const {
+    const auto at =
+        std::find_if(sister_words.begin(), sister_words.end(), [=](const SisterWord& w) { return w.word == word; });
+    return at != sister_words.end() ? &*at : nullptr;
+}
+
 std::string_view Dialect::word(program::Token kind, std::uint16_t payload) const {
-    const auto at = std::find_if(words.begin(), words.end(), [=](const ReservedWord& w) {
-        return w.token == kind && w.payload == payload;
-    });
+    const auto at = std::find_if(words.begin(), words.end(),
+                                 [=](const ReservedWord& w) { return w.token == kind && w.payload == payload; });
     return at != words.end() ? at->text : std::string_view();
 }
 

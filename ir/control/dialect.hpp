@@ -78,6 +78,12 @@ struct SisterCode {
     Text title;
 };
 
+/// A word of the sister model's high-level language that the control has not.
+struct SisterWord {
+    std::string_view word{};
+    Text title;
+};
+
 struct Dialect {
     std::string_view name;                             ///< "8055"
     std::string_view model, sister_model;              ///< "8055 T", "8055 M"
@@ -85,6 +91,7 @@ struct Dialect {
     std::string_view word_order;                       ///< order of addresses in an ISO block: "GXYZUVWABCFSTDM"
     std::span<const Construct* const> constructs;      ///< by letter, then number
     std::span<const SisterCode> sister_codes;          ///< named in the diagnostic of an unknown code
+    std::span<const SisterWord> sister_words;          ///< likewise
     std::span<const StatementRow> statements;
     std::span<const StatementRow> operators;           ///< of expressions, functions among them
     std::span<const StatementRow> addresses;           ///< letters of an ISO block that belong to no code
@@ -99,6 +106,7 @@ struct Dialect {
     const Construct* find(char letter, std::uint16_t number) const;
     /// The code of the sister model; null where that has none either.
     const SisterCode* find_sister(char letter, std::uint16_t number) const;
+    const SisterWord* find_sister(std::string_view word) const;
     /// The text of a keyword, function or relation; empty where the control has no such word.
     std::string_view word(program::Token kind, std::uint16_t payload) const;
     std::string_view word(program::Keyword keyword) const {

@@ -183,12 +183,13 @@ void Writer::parameters() {
 
 void Writer::sister_codes() {
     if (dialect.sister_codes.empty()) return;
-    write("\n## {} {}\n\n", in({"Codes of the", "Fonctions du", "Funciones del"}), dialect.sister_model);
-    write("{}\n\n",
-          in({"Unknown to this model and refused by name.", "Inconnues de ce modèle et refusées par leur nom.",
-              "Desconocidas en este modelo; se rechazan por su nombre."}));
+    write("\n## {} {}\n\n", in({"Codes and words of the", "Fonctions et mots du", "Funciones y palabras del"}),
+          dialect.sister_model);
+    write("{}\n\n", in({"Unknown to this model and refused by name.", "Inconnus de ce modèle et refusés par leur nom.",
+                        "Desconocidos en este modelo; se rechazan por su nombre."}));
     for (const control::SisterCode& c : dialect.sister_codes)
         write("- {}{:02}{}{}\n", c.letter, c.number, in(colon), in(c.title));
+    for (const control::SisterWord& w : dialect.sister_words) write("- {}{}{}\n", w.word, in(colon), in(w.title));
 }
 
 }  // namespace

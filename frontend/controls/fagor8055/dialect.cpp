@@ -22,6 +22,7 @@ const control::Dialect& dialect() {
         .word_order = "GXYZUVWABCFSTDM",  // 8055 T 5
         .constructs = constructs(),
         .sister_codes = mill_codes(),
+        .sister_words = mill_words(),
         .statements = statements(),
         .operators = operators(),
         .addresses = addresses(),

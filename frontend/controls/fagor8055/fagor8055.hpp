@@ -14,6 +14,8 @@ const control::Dialect& dialect();
 std::span<const control::Construct* const> constructs();
 /// G codes of the mill model that this model has not.
 std::span<const control::SisterCode> mill_codes();
+/// Its statements and variables that this model has not.
+std::span<const control::SisterWord> mill_words();
 /// Keywords, functions and relations of the high-level language (language sheet 1.2).
 std::span<const control::ReservedWord> words();
 /// Variables, from variables.tsv.

@@ -1,11 +1,11 @@
-// G codes of the 8055 M that the 8055 T has not: a mill's program is refused by name.
+// Codes and words of the 8055 M that the 8055 T has not: a mill's program is refused by name.
 #include "frontend/controls/fagor8055/fagor8055.hpp"
 
 namespace fagorc::frontend::fagor8055 {
 
 namespace {
 
-constexpr control::SisterCode table[] = {
+constexpr control::SisterCode code_rows[] = {
     {'G', 23, {"tracing", "copiage", "copiado"}},
     {'G', 24, {"digitising", "numérisation", "digitalización"}},
     {'G', 25, {"end of tracing or digitising", "fin de copiage ou de numérisation", "fin de copiado o digitalización"}},
@@ -39,10 +39,19 @@ constexpr control::SisterCode table[] = {
     {'G', 98, {"return to the starting plane", "retour au plan de départ", "vuelta al plano de partida"}},
     {'G', 99, {"return to the reference plane", "retour au plan de référence", "vuelta al plano de referencia"}}};
 
+constexpr control::SisterWord word_rows[] = {
+    {"DIGIT", {"digitising cycle", "cycle de numérisation", "ciclo de digitalización"}},
+    {"TOL", {"length of a tool", "longueur d'un outil", "longitud de una herramienta"}},
+    {"TRACE", {"tracing cycle", "cycle de copiage", "ciclo de copiado"}}};
+
 }  // namespace
 
 std::span<const control::SisterCode> mill_codes() {
-    return table;
+    return code_rows;
+}
+
+std::span<const control::SisterWord> mill_words() {
+    return word_rows;
 }
 
 }  // namespace fagorc::frontend::fagor8055

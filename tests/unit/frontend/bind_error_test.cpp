@@ -59,6 +59,7 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Codes, BlockErrors,
     testing::Values(ErrorCase{"G799", Id::unknown_g, 0, 1, "0008"}, ErrorCase{"G43 X1", Id::code_of_sister_model, 0, 1, "0008"},
+                    ErrorCase{"G24 L.5 E.01 K1", Id::code_of_sister_model, 0, 1, "0008"},
                     ErrorCase{"M10000", Id::unknown_misc, 0, 1, ""}, ErrorCase{"M0.5", Id::improper_format, 0, 2, "0006"},
                     ErrorCase{"X10 H5", Id::unknown_word, 2, 4, ""}, ErrorCase{"G01 X10 H5", Id::word_not_taken, 3, 5, "0004"},
                     ErrorCase{"G16 X", Id::plane_axes, 0, 1, "0017"}, ErrorCase{"G22 K1", Id::zone_state_operands, 0, 1, "0018"},
@@ -110,6 +111,8 @@ INSTANTIATE_TEST_SUITE_P(
                     ErrorCase{"(GOTO N)", Id::number_expected, 3, 4, ""}, ErrorCase{"(N=5)", Id::syntax_error, 1, 2, ""},
                     ErrorCase{"(IB1=5)", Id::input_expected, 4, 5, "0104"},
                     ErrorCase{"(GOTTO N5)", Id::unknown_word_near, 1, 6, ""},
+                    ErrorCase{"(TOL1=P211)", Id::word_of_sister_model, 1, 4, ""},
+                    ErrorCase{"(DIGIT 1, X1)", Id::word_of_sister_model, 1, 6, ""},
                     ErrorCase{"(ZYGQ 5)", Id::unknown_word, 1, 5, ""}));
 
 INSTANTIATE_TEST_SUITE_P(
