@@ -68,15 +68,15 @@ class IsoWriter final : public operation::Sink {
             if (!a.full && swept_angle(start, end, a.centre, a.ccw, false) < std::numbers::pi) return;
             end = start;
         }
-        const auto form = form_of(plane);
-        if (!form) return refuse(o, Refusal::arc_plane);
+        const char* code = code_of(plane);
+        if (!code) return refuse(o, Refusal::arc_plane);
         if (std::abs(distance(start, a.centre) - distance(end, a.centre)) > radius_tolerance)
             return refuse(o, Refusal::arc_start);
         target_[plane.u] = printed(end.u);
         target_[plane.v] = printed(end.v);
         std::string words = feed_mode(o);
-        if (form->code != plane_code_) (words += plane_code_ = form->code) += ' ';
-        words += a.ccw != form->mirrored ? "G3" : "G2";
+        if (code != plane_code_) (words += plane_code_ = code) += ' ';
+        words += a.ccw != is_mirrored(plane) ? "G3" : "G2";
         words += axis_words(o, true);
         for (Axis axis : {std::min(plane.u, plane.v), std::max(plane.u, plane.v)})
             append_word(words, centre_letter(axis), axis == plane.u ? a.centre.u - start.u : a.centre.v - start.v);
@@ -106,19 +106,13 @@ class IsoWriter final : public operation::Sink {
     void put(const Operation& o, const operation::Event& e);
     void put(const Operation&, const operation::Barrier&) {}
 
-    /// The plane of an arc as ISO has it; `mirrored`: its axes are the other way round, so the sense is too.
-    struct Form {
-        const char* code;
-        bool mirrored;
-    };
-    static std::optional<Form> form_of(Plane plane) {
+    /// The code of the plane that has these two axes; null where ISO has none.
+    static const char* code_of(Plane plane) {
         static constexpr std::array<std::pair<Plane, const char*>, 3> planes = {
             {{plane_g17, "G17"}, {plane_g18, "G18"}, {plane_g19, "G19"}}};
-        for (const auto& [known, code] : planes) {
-            if (plane == known) return Form{code, false};
-            if (plane == Plane{known.v, known.u}) return Form{code, true};
-        }
-        return std::nullopt;
+        for (const auto& [known, code] : planes)
+            if (known.has(plane.u) && known.has(plane.v)) return code;
+        return nullptr;
     }
 
     void arrive(const Operation& o, Point end) {

@@ -71,7 +71,8 @@ class CsvWriter final : public operation::Sink {
         Columns columns = with_feed(o);
         if (plane.has(Axis::X)) columns.cx = centre[Axis::X];
         if (plane.has(Axis::Z)) columns.cz = centre[Axis::Z];
-        row(o, a.ccw ? "ccw" : "cw", columns);
+        // The row does not name the plane: the sense is that of XY, ZX, YZ, whichever axis the program has first.
+        row(o, a.ccw != is_mirrored(plane) ? "ccw" : "cw", columns);
         other_axes(o);
         for (Axis axis : by_letter)
             if (plane.has(axis) && !has_column(axis)) entry({'c', lower(axis)}, centre[axis]);

@@ -17,9 +17,15 @@ inline constexpr std::size_t axis_count = 9;
 inline constexpr std::array<Axis, axis_count> all_axes = {Axis::X, Axis::Y, Axis::Z, Axis::U, Axis::V,
                                                           Axis::W, Axis::A, Axis::B, Axis::C};
 
-constexpr std::size_t index(Axis a) { return static_cast<std::size_t>(a); }
-constexpr char letter(Axis a) { return "XYZUVWABC"[index(a)]; }
-constexpr bool is_rotary(Axis a) { return a >= Axis::A; }
+constexpr std::size_t index(Axis a) {
+    return static_cast<std::size_t>(a);
+}
+constexpr char letter(Axis a) {
+    return "XYZUVWABC"[index(a)];
+}
+constexpr bool is_rotary(Axis a) {
+    return a >= Axis::A;
+}
 
 /// The axis of an upper-case letter; nothing for a letter that names no axis.
 constexpr std::optional<Axis> axis_of(char c) {
@@ -29,7 +35,9 @@ constexpr std::optional<Axis> axis_of(char c) {
 }
 
 /// The centre letter that belongs to an axis: X U A -> I, Y V B -> J, Z W C -> K (8055 T 6.3).
-constexpr char centre_letter(Axis a) { return "IJK"[index(a) % 3]; }
+constexpr char centre_letter(Axis a) {
+    return "IJK"[index(a) % 3];
+}
 
 /// One value for each axis.
 template <class T>
@@ -61,9 +69,7 @@ struct AxisValues {
         given.add(a);
         value[a] = v;
     }
-    constexpr std::optional<double> get(Axis a) const {
-        return given.has(a) ? std::optional(value[a]) : std::nullopt;
-    }
+    constexpr std::optional<double> get(Axis a) const { return given.has(a) ? std::optional(value[a]) : std::nullopt; }
 };
 
 /// The two axes of the active plane: abscissa u and ordinate v. Angles grow from +u to +v, G03 turns that way
@@ -78,5 +84,12 @@ struct Plane {
 inline constexpr Plane plane_g17{Axis::X, Axis::Y};
 inline constexpr Plane plane_g18{Axis::Z, Axis::X};
 inline constexpr Plane plane_g19{Axis::Y, Axis::Z};
+
+/// Whether the axes are those of G17, G18 or G19 the other way round (G16 X Z): such a plane is seen from behind, what
+/// is clockwise in it is counter-clockwise in the plane of the G code.
+constexpr bool is_mirrored(Plane p) {
+    const Plane front{p.v, p.u};
+    return front == plane_g17 || front == plane_g18 || front == plane_g19;
+}
 
 }  // namespace fagorc
