@@ -20,7 +20,6 @@ struct ExecuteOptions {
     std::uint64_t max_blocks_without_motion = 20'000'000;
     /// `check`: an unknown live value ends the path without an error; false: it is an error that names it.
     bool live_may_be_unknown = false;
-    bool decoded_block_cache = true;
 };
 
 struct ExecuteResult {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "frontend/controls/controls.hpp"
-#include "frontend/frontend.hpp"
 #include "frontend/machine/machine.hpp"
 #include "ir/diag/catalogue.hpp"
 #include "passes/execute/texts.hpp"
@@ -70,13 +69,14 @@ ProgramRun run_program(std::string_view text, const RunOptions& options) {
     Operations operations(run.operations);
     Given live(options.live);
     const control::Dialect& dialect = *frontend::dialect("8055");
-    frontend::Workspace workspace(dialect, findings);
+    frontend::Workspace workspace(dialect, findings, options.caches);
     for (const auto& [name, program] : options.library) workspace.add(name, program);
     program::Program& program = workspace.add("part.pit", std::string(text));
     operation::Tables tables;
     EventTexts texts;
     run.result = execute(program, workspace.library(), dialect, frontend::built_in_lathe(dialect), live, tables, texts,
                          findings, operations, options.execute);
+    run.statistics = workspace.statistics();
     for (const auto& o : run.operations) {
         run.chains.push_back(tables.chains[o.at.chain]);
         const auto* event = std::get_if<operation::Event>(&o.what);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "frontend/frontend.hpp"
 #include "ir/diag/diagnostic.hpp"
 #include "ir/operation/operation.hpp"
 #include "passes/execute/execute.hpp"
@@ -18,6 +19,7 @@ struct ProgramRun {
     std::vector<operation::Operation> operations;
     std::vector<std::string> messages;  ///< texts of the MSG events in their order
     std::vector<operation::Chain> chains;
+    frontend::Statistics statistics;
 
     /// End points of the moves as "X Z", X as a radius.
     std::vector<std::string> moves() const;
@@ -27,9 +29,10 @@ struct ProgramRun {
 };
 
 struct RunOptions {
-    std::map<std::string, double, std::less<>> live{};         ///< --set
+    std::map<std::string, double, std::less<>> live{};           ///< --set
     std::vector<std::pair<std::string, std::string>> library{};  ///< "000100.PIT" and its text
     ExecuteOptions execute{};
+    frontend::Options caches{};
 };
 
 ProgramRun run_program(std::string_view text, const RunOptions& options = {});
