@@ -24,7 +24,7 @@ void ProgramText::check_unread(diag::Sink& out) {
     seen_subroutines_.clear();
 }
 
-/// The number of a subroutine: in range, and once in the text (8055 T 12.4).
+/// The number of a subroutine: in range, once in the text, and not too many local ones (8055 T 12.4, 2.7).
 void ProgramText::check_subroutine(const Block& block, diag::Sink& out) {
     const auto* s = std::get_if<program::Statement>(&block.shape->body);
     const auto* sub = s ? std::get_if<program::SubroutineBegin>(&s->what) : nullptr;
@@ -35,7 +35,11 @@ void ProgramText::check_subroutine(const Block& block, diag::Sink& out) {
     const diag::Place where = place(block, sub->token, s->end_token);
     if (number > limits.subroutine && !(oem && header().oem && !sub->local))
         out.report(diag::Id::subroutine_number_out_of_range, where, 0, limits.subroutine);
-    if (!seen_subroutines_.emplace(sub->local, number).second) out.report(diag::Id::subroutine_repeated, where, number);
+    const bool once = seen_subroutines_.emplace(sub->local, number).second;
+    if (!once) out.report(diag::Id::subroutine_repeated, where, number);
+    // Local ones come first in the text: no other is counted with them.
+    if (once && sub->local && seen_subroutines_.size() == limits.local_subroutines + 1)
+        out.report(diag::Id::too_many_local_subroutines, where, static_cast<std::uint64_t>(limits.local_subroutines));
 }
 
 }  // namespace fagorc::frontend

@@ -66,6 +66,7 @@ struct Limits {
     std::uint32_t label = 99999999;
     std::uint32_t repetitions = 9999;
     std::uint32_t subroutine = 9999;
+    std::size_t local_subroutines = 100;   ///< of a program (8055 T 2.7)
     std::uint32_t oem_subroutine_first = 10000, oem_subroutine_last = 20000;
     std::size_t text_length = 59;
     std::size_t block_bytes = 65536;   ///< ours: a longer line is one diagnostic

@@ -213,6 +213,14 @@ class Sizes(Case):
         run = Run(self.folder, 'check', 'part.pit', '--format', 'short')
         self.assertEqual(run.code, 1, run.err)
 
+    def test_more_than_100_local_subroutines(self):
+        for count, findings in ((100, []), (101, ['F0424']), (102, ['F0424'])):
+            subroutines = ''.join(f'(LSUB {n})\nX1\n(RET)\n' for n in range(count))
+            self.write('part.pit', f'{subroutines}%\nG91 G01 F100\n(LL 99)\nM30\n')
+            run = self.refused(['check', 'part.pit', '--format', 'short'], 1 if findings else 0, *findings)
+            if findings:
+                self.assertIn('part.pit:301:', run.out)
+
     def test_a_million_labels(self):
         with open(self.folder / 'part.pit', 'w') as f:
             f.write('G91 G01 F100\n(GOTO N1000000)\n')
