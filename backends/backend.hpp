@@ -3,6 +3,8 @@
 // knows whether the program had errors.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +25,8 @@ class Programs {
     virtual std::string_view text(diag::FileId file) const = 0;
     /// Where an operation was programmed, for findings about it.
     virtual diag::Place place(const operation::Context& at) const = 0;
+    /// The label (N) of the block that made an operation; nothing where it has none.
+    virtual std::optional<std::uint32_t> label(const operation::Context& at) const = 0;
 };
 
 /// One compilation; what it refers to outlives the backend.

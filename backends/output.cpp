@@ -7,55 +7,21 @@
 
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <system_error>
+#include <utility>
+
+#include "backends/descriptor.hpp"
 
 namespace fagorc::backends {
 namespace {
-
-/// Bytes to an open descriptor, which the derived class owns.
-class Descriptor : public Output {
-  protected:
-    Descriptor(std::string name, int descriptor) : name_(std::move(name)), descriptor_(descriptor) {}
-
-    bool put(Bytes bytes) override {
-        while (!bytes.empty()) {
-            const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-            if (written < 0 && errno == EINTR) continue;
-            if (written < 0) return fail(name_, errno);
-            bytes = bytes.subspan(static_cast<std::size_t>(written));
-        }
-        return true;
-    }
-    /// Closing may still fail: a network file system reports a full disk then.
-    bool close_descriptor() {
-        const int descriptor = std::exchange(descriptor_, -1);
-        return descriptor < 0 || ::close(descriptor) == 0 || fail(name_, errno);
-    }
-
-    std::string name_;
-    int descriptor_;
-};
-
-class Stream final : public Descriptor {
-  public:
-    Stream() : Descriptor("-", STDOUT_FILENO) { ::signal(SIGPIPE, SIG_IGN); }
-
-  protected:
-    bool close() override { return true; }
-};
 
 /// A device or a named pipe: there is nothing to replace.
 class Device final : public Descriptor {
   public:
     explicit Device(const std::string& path) : Descriptor(path, ::open(path.c_str(), O_WRONLY | O_CLOEXEC)) {
-        if (descriptor_ < 0)
-            fail(path, errno);
-        else
-            ::signal(SIGPIPE, SIG_IGN);
+        ::signal(SIGPIPE, SIG_IGN);
     }
-    ~Device() override { close_descriptor(); }
 
   protected:
     bool close() override { return close_descriptor(); }
@@ -63,35 +29,56 @@ class Device final : public Descriptor {
 
 class File final : public Descriptor {
   public:
-    explicit File(std::string path) : Descriptor(path, -1), target_(std::move(path)), temporary_(target_ + ".XXXXXX") {
-        descriptor_ = ::mkostemp(temporary_.data(), O_CLOEXEC);
-        if (descriptor_ < 0) {
-            fail(name_, errno);
-            temporary_.clear();
-            return;
-        }
-        const mode_t mask = ::umask(0);
-        ::umask(mask);
-        ::fchmod(descriptor_, 0666 & ~mask);
-    }
+    explicit File(const std::string& path) : File(path, path + ".XXXXXX") {}
     ~File() override {
-        close_descriptor();
         if (!temporary_.empty()) ::unlink(temporary_.c_str());
     }
+
+    std::string_view temporary() const override { return temporary_; }
 
   protected:
     bool close() override {
         if (!close_descriptor()) return false;
-        if (::rename(temporary_.c_str(), target_.c_str()) != 0) return fail(name_, errno);
+        if (::rename(temporary_.c_str(), name().c_str()) != 0) return fail(name(), errno);
         temporary_.clear();
         return true;
     }
 
   private:
-    std::string target_, temporary_;
+    File(const std::string& path, std::string temporary)
+        : Descriptor(path, ::mkostemp(temporary.data(), O_CLOEXEC)), temporary_(std::move(temporary)) {
+        if (descriptor() < 0) {
+            temporary_.clear();
+            return;
+        }
+        const mode_t mask = ::umask(0);
+        ::umask(mask);
+        ::fchmod(descriptor(), 0666 & ~mask);
+    }
+
+    std::string temporary_;  ///< empty once it is gone
 };
 
 }  // namespace
+
+Descriptor::Descriptor(std::string name, int descriptor) : name_(std::move(name)), descriptor_(descriptor) {
+    if (descriptor < 0) fail(name_, errno);
+}
+
+bool Descriptor::put(Bytes bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return fail(name_, errno);
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+    return true;
+}
+
+bool Descriptor::close_descriptor() {
+    const int descriptor = std::exchange(descriptor_, -1);
+    return descriptor < 0 || ::close(descriptor) == 0 || fail(name_, errno);
+}
 
 bool Output::fail(std::string_view name, int error) {
     diag::Diagnostic d;
@@ -104,7 +91,11 @@ bool Output::fail(std::string_view name, int error) {
         d.id = diag::Id::cannot_write;
         d.arguments = {name, std::generic_category().message(error)};
     }
-    failure_ = std::move(d);
+    return fail(std::move(d));
+}
+
+bool Output::fail(diag::Diagnostic why) {
+    failure_ = std::move(why);
     return false;
 }
 
@@ -116,10 +107,6 @@ std::unique_ptr<Output> open_file(const std::string& path) {
     std::error_code error;
     const std::filesystem::path real = std::filesystem::canonical(path, error);
     return std::make_unique<File>(error ? path : real.string());
-}
-
-std::unique_ptr<Output> open_standard_output() {
-    return std::make_unique<Stream>();
 }
 
 bool MemoryOutput::put(Bytes bytes) {

@@ -1,6 +1,7 @@
 // Where a backend's bytes go: a file that appears whole or not at all, standard output, or memory.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -27,12 +28,16 @@ class Output {
     bool finish() { return !failure_ && close(); }
     /// What has failed, for the user: disk_full, pipe_closed or cannot_write.
     const std::optional<diag::Diagnostic>& failure() const { return failure_; }
+    /// The name of the file that `finish` renames, for whoever must remove it when the process is ended by a signal;
+    /// empty where there is none.
+    virtual std::string_view temporary() const { return {}; }
 
   protected:
     virtual bool put(Bytes bytes) = 0;
     virtual bool close() = 0;
     /// Keeps the failure of a system call by its `errno` value; returns false.
     bool fail(std::string_view name, int error);
+    bool fail(diag::Diagnostic why);
 
   private:
     std::optional<diag::Diagnostic> failure_;
@@ -44,6 +49,10 @@ std::unique_ptr<Output> open_file(const std::string& path);
 
 /// Standard output. A reader that has gone is a failure, not the signal SIGPIPE, which this call switches off.
 std::unique_ptr<Output> open_standard_output();
+
+/// Standard output that stays empty when it is not finished: the bytes wait in a nameless temporary file. A reader that
+/// has gone meanwhile is a failure. Once more than `limit` bytes wait, they and all that follow are passed on.
+std::unique_ptr<Output> open_held_standard_output(std::uint64_t limit);
 
 /// Memory, for tests and for tools that go on with the bytes.
 class MemoryOutput final : public Output {

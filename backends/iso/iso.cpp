@@ -200,6 +200,7 @@ class IsoWriter final : public operation::Sink {
         const operation::Chain& chain = job_.tables.chains[o.at.chain];
         std::string text = "line ";
         append_whole(text, o.at.line);
+        if (const auto label = job_.programs.label(o.at)) append_whole(text += " N", *label);
         if (chain.caller_line != 0) text.insert(0, std::string(base_name(job_.programs.name(chain.program))) + ' ');
         out_.text += ' ';
         append_comment(text);

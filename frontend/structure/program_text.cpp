@@ -224,6 +224,12 @@ diag::Place ProgramText::place_of_line(std::uint32_t line) {
     return {file_, line, 1, static_cast<std::uint32_t>(line_at(at.offset).size()) + 1, at.offset};
 }
 
+std::optional<std::uint32_t> ProgramText::label_of_line(std::uint32_t line) {
+    const Block* block = decode(cursor_of_line(line), looking_);
+    if (!block || block->here.line != line || !block->shape->label_slot) return std::nullopt;
+    return name_of(block->slots[*block->shape->label_slot].value);
+}
+
 Cursor ProgramText::cursor_of_line(std::uint32_t line) {
     Cursor at = lines_.before(line, Cursor{});
     if (last_line_.line <= line && last_line_.line > at.line) at = last_line_;

@@ -47,6 +47,7 @@ class ProgramText final : public program::Program {
     const program::Subroutine* subroutine(std::uint32_t number, bool local) override;
     std::vector<program::PlacedToken> tokens(const program::Block& block) override;
     diag::Place place_of_line(std::uint32_t line) override;
+    std::optional<std::uint32_t> label_of_line(std::uint32_t line) override;
     void check_unread(diag::Sink& out) override;
     std::string_view text() override { return text_->all(); }
 

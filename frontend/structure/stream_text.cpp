@@ -7,10 +7,10 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 
 #include "frontend/structure/text.hpp"
+#include "ir/base/temporary_file.hpp"
 
 namespace fagorc::frontend {
 namespace {
@@ -20,15 +20,6 @@ constexpr std::size_t reserved = std::size_t{1} << 38;
 constexpr std::size_t chunk = std::size_t{1} << 18;
 /// Pages so far behind the reader are given back to the file.
 constexpr std::size_t kept_behind = std::size_t{4} << 20;
-
-/// An unlinked temporary file; a negative descriptor where none can be made.
-int temporary_file() {
-    const char* folder = std::getenv("TMPDIR");
-    std::string name = std::string(folder && *folder ? folder : "/tmp") + "/fagorc-XXXXXX";
-    const int fd = ::mkostemp(name.data(), O_CLOEXEC);
-    if (fd >= 0) ::unlink(name.c_str());
-    return fd;
-}
 
 /// Standard input as one growing text: what is read is appended to a file, and the file is what is scanned.
 class StreamText final : public Text {
@@ -110,7 +101,7 @@ class StreamText final : public Text {
 }  // namespace
 
 std::unique_ptr<Text> text_of_stream(int descriptor, diag::Sink& out) {
-    const int file = temporary_file();
+    const int file = open_temporary_file();
     void* map = file < 0 ? MAP_FAILED : ::mmap(nullptr, reserved, PROT_READ, MAP_SHARED | MAP_NORESERVE, file, 0);
     if (map == MAP_FAILED) {
         out.report(diag::Id::cannot_spool, diag::Place{}, std::strerror(errno));

@@ -22,8 +22,8 @@ struct Header {
 struct Subroutine {
     std::uint32_t number = 0;
     bool local = false;
-    Cursor begin;       ///< the SUB block itself
-    Cursor body;        ///< the block after it
+    Cursor begin;  ///< the SUB block itself
+    Cursor body;   ///< the block after it
 };
 
 /// One program text. Blocks are decoded when they are read and never all kept; labels and subroutines are indexed when
@@ -55,9 +55,11 @@ class Program {
     virtual std::vector<PlacedToken> tokens(const Block& block) = 0;
     /// The place of tokens [first, end) of a block.
     diag::Place place(const Block& block, std::uint32_t first, std::uint32_t end);
-    diag::Place place(const Block& block);       ///< the whole block
+    diag::Place place(const Block& block);  ///< the whole block
     /// The place of a whole line, for findings of later passes that know only a line number.
     virtual diag::Place place_of_line(std::uint32_t line) = 0;
+    /// The label (N) of the block on a line; nothing where it has none. Cheap for lines asked in their order.
+    virtual std::optional<std::uint32_t> label_of_line(std::uint32_t line) = 0;
 
     /// Findings of all blocks that have not been read: a syntax error behind a jump is an error too.
     virtual void check_unread(diag::Sink& out) = 0;
@@ -70,7 +72,10 @@ class Library {
   public:
     virtual ~Library() = default;
     virtual Program* program(std::uint32_t number) = 0;
-    struct Found { Program* program = nullptr; const Subroutine* subroutine = nullptr; };
+    struct Found {
+        Program* program = nullptr;
+        const Subroutine* subroutine = nullptr;
+    };
     virtual Found subroutine(std::uint32_t number) = 0;
     /// (OPEN P..): a program made by the program. Fails when it exists and `append` says neither.
     enum class Opened { created, replaced, appended, exists };

@@ -20,16 +20,22 @@ struct ExecuteOptions {
     std::uint64_t max_blocks_without_motion = 20'000'000;
     /// `check`: an unknown live value ends the path without an error; false: it is an error that names it.
     bool live_may_be_unknown = false;
+    /// Becomes true when nobody can take more operations (a full disk, a reader that has gone): the execution ends
+    /// before the next block, without a finding. Null: never.
+    const bool* stop = nullptr;
 };
 
 struct ExecuteResult {
-    bool completed = false;          ///< reached M30, M02 or the end of the text
+    bool completed = false;  ///< reached M30, M02 or the end of the text
     bool ended_by_live_value = false;
-    std::uint64_t blocks = 0;        ///< blocks executed
+    bool stopped = false;      ///< by ExecuteOptions::stop
+    std::uint64_t blocks = 0;  ///< blocks executed
 };
 
 /// Texts of message events; index 0 is unused.
-struct EventTexts { std::vector<std::string> list{1}; };
+struct EventTexts {
+    std::vector<std::string> list{1};
+};
 
 /// Findings go to `diagnostics`; the first error ends the execution, as the control stops at its alarm.
 ExecuteResult execute(program::Program& program, program::Library& library, const control::Dialect& dialect,

@@ -46,9 +46,11 @@ ExecuteResult Executor::run() {
             next_ = block->next;
             if (!fuel()) break;
             step(*block);
-            ended_ = ended_ || session_.ends();
+            result_.stopped = session_.options.stop != nullptr && *session_.options.stop;
+            ended_ = ended_ || session_.ends() || result_.stopped;
         }
     }
+    if (result_.stopped) return result_;
     result_.ended_by_live_value = session_.blocked;
     if (session_.blocked) session_.report_block(Id::path_ends_at_live_value, session_.wanted);
     Untold untold(told_, session_.diagnostics);

@@ -1,6 +1,8 @@
 // Operations made by hand for the tests of the backends, and what a backend needs besides them.
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,9 +25,14 @@ struct SomePrograms : backends::Programs {
         std::string name, text;
     };
     std::vector<One> list;
+    std::map<std::uint32_t, std::uint32_t> labels;  ///< by line
     std::string_view name(diag::FileId file) const override { return list.at(static_cast<std::size_t>(file)).name; }
     std::string_view text(diag::FileId file) const override { return list.at(static_cast<std::size_t>(file)).text; }
     diag::Place place(const operation::Context& at) const override { return {diag::FileId{0}, at.line, 1, 2, 0}; }
+    std::optional<std::uint32_t> label(const operation::Context& at) const override {
+        const auto found = labels.find(at.line);
+        return found == labels.end() ? std::nullopt : std::optional(found->second);
+    }
 };
 
 /// A stream of operations: each call makes one, in the state that `now` and `at` hold.

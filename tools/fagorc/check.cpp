@@ -7,6 +7,8 @@
 
 #include "tools/fagorc/commands.hpp"
 #include "tools/fagorc/part.hpp"
+#include "tools/fagorc/progress.hpp"
+#include "tools/fagorc/report/language.hpp"
 
 namespace fagorc::tool {
 namespace {
@@ -32,7 +34,8 @@ Exit check(const Options& options) {
             continue;
         }
         Nowhere nowhere;
-        part.run(nowhere, {{}, true});
+        Progress progress(nowhere, nullptr, report::is_terminal(stderr));
+        part.run(progress, {.stop_after = {}, .checking = true});
     }
     console.finish();
     return all_ran ? console.outcome() : Exit::could_not_run;

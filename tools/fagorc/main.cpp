@@ -7,6 +7,17 @@
 #include "tools/fagorc/commands.hpp"
 #include "tools/fagorc/version.hpp"
 
+namespace {
+
+/// What was printed without asking whether it arrived (help, explanations, findings) may have met a full disk.
+fagorc::tool::Exit printed(fagorc::tool::Exit exit) {
+    if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return exit;
+    std::perror("fagorc: standard output");
+    return fagorc::tool::Exit::could_not_run;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
     using namespace fagorc::tool;
     CLI::App app{"Compiler, linter and translator for Fagor CNC part programs", "fagorc"};
@@ -29,10 +40,10 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-        return app.exit(e) == 0 ? Exit::ok : Exit::could_not_run;
+        return printed(app.exit(e) == 0 ? Exit::ok : Exit::could_not_run);
     } catch (const std::exception& e) {
         std::fprintf(stderr, "fagorc: %s\n", e.what());
         return Exit::could_not_run;
     }
-    return exit;
+    return printed(exit);
 }

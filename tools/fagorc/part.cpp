@@ -57,9 +57,10 @@ passes::ExecuteResult Part::run(operation::Sink& tail, const Run& run) {
         options.skip_marks = static_cast<std::uint8_t>(options.skip_marks | 1u << (mark - 1));
     options.max_blocks = settings_.max_blocks;
     options.live_may_be_unknown = run.checking;
+    options.stop = run.stop;
     const auto result = passes::execute(*program_, workspace_->library(), *dialect_, machine_, live_, tables_, texts_,
                                         diagnostics_, pipeline.head(), options);
-    program_->check_unread(diagnostics_);
+    if (!result.stopped) program_->check_unread(diagnostics_);
     return result;
 }
 
@@ -74,6 +75,11 @@ std::string Part::machine_name() const {
 diag::Place Part::place(const operation::Context& at) const {
     program::Program* p = workspace_->program(tables_.chains[at.chain].program);
     return p ? p->place_of_line(at.line) : diag::Place{};
+}
+
+std::optional<std::uint32_t> Part::label(const operation::Context& at) const {
+    program::Program* p = workspace_->program(tables_.chains[at.chain].program);
+    return p ? p->label_of_line(at.line) : std::nullopt;
 }
 
 std::string_view Part::text(diag::FileId file) const {

@@ -26,6 +26,7 @@ class Part final : public passes::Places, public backends::Programs {
     struct Run {
         std::string_view stop_after;  ///< see passes::Pipeline::Options
         bool checking = false;        ///< unknown live values end a path without an error
+        const bool* stop = nullptr;   ///< see passes::ExecuteOptions
     };
     /// Executes the program into `tail` and finds what is wrong in the rest of its text.
     passes::ExecuteResult run(operation::Sink& tail, const Run& run);
@@ -42,6 +43,7 @@ class Part final : public passes::Places, public backends::Programs {
 
     diag::Place of(const operation::Context& at) override { return place(at); }
     diag::Place place(const operation::Context& at) const override;
+    std::optional<std::uint32_t> label(const operation::Context& at) const override;
     std::string_view name(diag::FileId file) const override { return workspace_->name(file); }
     std::string_view text(diag::FileId file) const override;
 

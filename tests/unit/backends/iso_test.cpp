@@ -134,7 +134,7 @@ TEST(Iso, EventsAreCommentsOrFunctions) {
     EXPECT_EQ(iso(s, {.events = true}), "N2 T3 M6\nN3 M8\n(M41)\n(message: a [b] ?)\n");
 }
 
-TEST(Iso, TheMapNamesLines) {
+TEST(Iso, TheMapNamesLinesAndLabels) {
     Stream s;
     s.next.at.speed = 0;
     s.next.at.line = 16;
@@ -142,7 +142,8 @@ TEST(Iso, TheMapNamesLines) {
     s.programs.list.push_back({"lib/000012.PIT", ""});
     s.chain({diag::FileId{1}, s.next.at.chain, 17});
     s.rapid(2, 1);
-    EXPECT_EQ(iso(s, {.map = true}), "N2 G0 X1 Z1 (line 17)\nN3 G0 Z2 (000012.PIT line 18)\n");
+    s.programs.labels[18] = 30;
+    EXPECT_EQ(iso(s, {.map = true}), "N2 G0 X1 Z1 (line 17)\nN3 G0 Z2 (000012.PIT line 18 N30)\n");
 }
 
 TEST(Iso, WhatItCannotSayIsReportedOnce) {

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "frontend/controls/controls.hpp"
 #include "runtime/player/moves.hpp"
 
 namespace fagorc::tool {
@@ -100,10 +101,18 @@ Replay::Replay(const player::Trajectory& trajectory) : trajectory_(trajectory) {
         chains_.push_back(tables_.chains.intern(chain));
     }
     for (std::uint32_t n = 0; n < trajectory.texts(); ++n) texts_.emplace_back(trajectory.text(n));
-    for (std::uint32_t n = 0; n < trajectory.programs(); ++n) {
+    read_sources();
+}
+
+void Replay::read_sources() {
+    if (const control::Dialect* dialect = frontend::dialect(machine_.control))
+        workspace_ = std::make_unique<frontend::Workspace>(*dialect, deaf_);
+    for (std::uint32_t n = 0; n < trajectory_.programs(); ++n) {
         Source& source = sources_.emplace_back();
-        if (const auto program = trajectory.program(n)) source.name = program->name;
-        for (std::string_view piece; !(piece = trajectory.source(n, source.text.size())).empty();) source.text += piece;
+        if (const auto program = trajectory_.program(n)) source.name = program->name;
+        for (std::string_view piece; !(piece = trajectory_.source(n, source.text.size())).empty();)
+            source.text += piece;
+        if (workspace_) source.program = &workspace_->add(source.name, source.text);
     }
 }
 
@@ -147,12 +156,18 @@ std::string_view Replay::text(diag::FileId file) const {
     return n < sources_.size() ? std::string_view(sources_[n].text) : std::string_view{};
 }
 
-void Replay::run(operation::Sink& sink) const {
+std::optional<std::uint32_t> Replay::label(const operation::Context& at) const {
+    const auto n = static_cast<std::size_t>(tables_.chains[at.chain].program);
+    return n < sources_.size() && sources_[n].program ? sources_[n].program->label_of_line(at.line) : std::nullopt;
+}
+
+void Replay::run(operation::Sink& sink, const bool* stop) const {
     player::MoveReader moves(trajectory_);
     std::uint64_t event = 0;
     bool good = true;
     const player::Move* move = moves.next();
     for (auto next = trajectory_.event(0); good && (move || next);) {
+        if (stop && *stop) return;
         if (next && (!move || next->before <= move->number)) {
             good = push_event(event, sink);
             next = trajectory_.event(event);
