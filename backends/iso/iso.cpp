@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "backends/feed.hpp"
 #include "backends/iso/refusal.hpp"
 #include "backends/iso/spindle.hpp"
 #include "backends/names.hpp"
@@ -49,18 +50,20 @@ class IsoWriter final : public operation::Sink {
 
   private:
     void put(const Operation& o, const operation::Line& l) {
+        const Feed f = feed_of(job_, position_, o);
         arrive(o, l.end);
         const std::string words = axis_words(o, false);
         if (words.empty()) return;
         if (l.rapid)
             motion(o, "G0" + words);
         else
-            motion(o, feed_mode(o) + "G1" + words + feed(o));
+            motion(o, feed_mode(o, f) + "G1" + words + feed(f));
     }
 
     void put(const Operation& o, const operation::Arc& a) {
         const Plane plane = position_.plane();
         const Point start{at_[plane.u], at_[plane.v]};
+        const Feed f = feed_of(job_, position_, o);
         arrive(o, a.end);
         Point end = a.end;
         // The words of an arc that closes are those of its start; a turn that rounding closes is none.
@@ -74,13 +77,13 @@ class IsoWriter final : public operation::Sink {
             return refuse(o, Refusal::arc_start);
         target_[plane.u] = printed(end.u);
         target_[plane.v] = printed(end.v);
-        std::string words = feed_mode(o);
+        std::string words = feed_mode(o, f);
         if (code != plane_code_) (words += plane_code_ = code) += ' ';
         words += a.ccw != is_mirrored(plane) ? "G3" : "G2";
         words += axis_words(o, true);
         for (Axis axis : {std::min(plane.u, plane.v), std::max(plane.u, plane.v)})
             append_word(words, centre_letter(axis), axis == plane.u ? a.centre.u - start.u : a.centre.v - start.v);
-        motion(o, words + feed(o));
+        motion(o, words + feed(f));
     }
 
     void put(const Operation& o, const operation::Thread& t) {
@@ -141,15 +144,10 @@ class IsoWriter final : public operation::Sink {
 
     const operation::State& state(const Operation& o) const { return job_.tables.states[o.at.state]; }
 
-    /// Feed 0 asks for the highest feed, which ISO has no word for: the slowest axis of the plane states it.
-    double highest_feed() const {
-        const Plane plane = position_.plane();
-        return std::min(job_.machine.axes[plane.u].max_feed, job_.machine.axes[plane.v].max_feed);
-    }
     /// The feed mode when it is a new one, with the blank after it. F of the old mode does not hold in the new one.
-    std::string feed_mode(const Operation& o) {
+    std::string feed_mode(const Operation& o, const Feed& f) {
         using program::FeedMode;
-        const FeedMode mode = o.at.feed == 0 ? FeedMode::per_minute : state(o).modal.feed;
+        const FeedMode mode = f.unit;
         if (mode == FeedMode::per_revolution) {
             if (o.at.speed == 0) refuse(o, Refusal::no_speed);
             if (state(o).modal.spindle != program::Spindle::main) refuse(o, Refusal::second_spindle);
@@ -159,12 +157,11 @@ class IsoWriter final : public operation::Sink {
         feed_ = 0;
         return mode == FeedMode::per_minute ? "G94 " : mode == FeedMode::per_revolution ? "G95 " : "G93 ";
     }
-    std::string feed(const Operation& o) {
-        const double value = o.at.feed == 0 ? highest_feed() : o.at.feed;
-        if (value == feed_ && feed_mode_ != program::FeedMode::inverse_time) return {};
-        feed_ = value;
+    std::string feed(const Feed& f) {
+        if (f.value == feed_ && feed_mode_ != program::FeedMode::inverse_time) return {};
+        feed_ = f.value;
         std::string word;
-        append_word(word, 'F', value);
+        append_word(word, 'F', f.value);
         return word;
     }
 

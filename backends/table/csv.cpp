@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "backends/feed.hpp"
 #include "backends/names.hpp"
 #include "backends/position.hpp"
 #include "backends/text.hpp"
@@ -53,22 +54,20 @@ class CsvWriter final : public operation::Sink {
     };
 
     void put(const Operation& o, const operation::Line& l) {
+        const Columns columns = l.rapid ? Columns{} : with_feed(o);
         position_.move(o, l.end);
-        if (l.rapid)
-            row(o, "rapid", {});
-        else
-            row(o, "line", with_feed(o));
+        row(o, l.rapid ? "rapid" : "line", columns);
         other_axes(o);
         out_.end_line();
     }
 
     void put(const Operation& o, const operation::Arc& a) {
+        Columns columns = with_feed(o);
         position_.move(o, a.end);
         const Plane plane = position_.plane();
         PerAxis<double> centre = origin(o);
         centre[plane.u] = a.centre.u - centre[plane.u];
         centre[plane.v] = a.centre.v - centre[plane.v];
-        Columns columns = with_feed(o);
         if (plane.has(Axis::X)) columns.cx = centre[Axis::X];
         if (plane.has(Axis::Z)) columns.cz = centre[Axis::Z];
         // The row does not name the plane: the sense is that of XY, ZX, YZ, whichever axis the program has first.
@@ -140,10 +139,12 @@ class CsvWriter final : public operation::Sink {
         out_.text += ',';
         if (value) append_fixed(out_.text, *value, decimals);
     }
+    /// Before the position moves on.
     Columns with_feed(const Operation& o) const {
+        const Feed feed = feed_of(job_, position_, o);
         Columns columns;
-        columns.feed = o.at.feed;
-        columns.feed_unit = unit(job_.tables.states[o.at.state].modal.feed);
+        columns.feed = feed.value;
+        columns.feed_unit = unit(feed.unit);
         return columns;
     }
 

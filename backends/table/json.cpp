@@ -1,5 +1,6 @@
 #include "backends/table/json.hpp"
 
+#include "backends/feed.hpp"
 #include "backends/names.hpp"
 #include "backends/numbering.hpp"
 #include "backends/position.hpp"
@@ -34,11 +35,13 @@ class JsonWriter final : public NumberingSink {
 
   private:
     void put(const Operation& o, const operation::Line& l) {
+        const Feed f = feed_of(job(), position_, o);
         begin_move(o, l.rapid ? "rapid" : "line", l.end);
-        if (!l.rapid) number("feed", o.at.feed);
+        if (!l.rapid) feed(o, f);
         end_move(o);
     }
     void put(const Operation& o, const operation::Arc& a) {
+        const Feed f = feed_of(job(), position_, o);
         begin_move(o, a.ccw ? "ccw" : "cw", a.end);
         PerAxis<double> centre{};
         const Plane plane = position_.plane();
@@ -49,7 +52,7 @@ class JsonWriter final : public NumberingSink {
         axes.add(plane.v);
         coordinates("centre", axes, centre);
         truth("full", a.full);
-        number("feed", o.at.feed);
+        feed(o, f);
         end_move(o);
     }
     void put(const Operation& o, const operation::Thread& t) {
@@ -94,6 +97,11 @@ class JsonWriter final : public NumberingSink {
     void end_move(const Operation& o) {
         origin(o);
         end_object();
+    }
+    /// F0 has a unit of its own; the unit of the others stands in the state.
+    void feed(const Operation& o, const Feed& f) {
+        number("feed", f.value);
+        if (o.at.feed == 0) string("feed_unit", "mm/min");
     }
     void begin_event(const Operation& o, std::string_view kind) {
         prepare(o);

@@ -22,7 +22,7 @@ struct Options {
     Settings settings;
     FormOptions form;
     std::string part, output;
-    bool stream = false;
+    bool stream = false, statistics = false;
 };
 
 std::unique_ptr<backends::Output> open_output(const Options& o) {
@@ -45,7 +45,7 @@ void print_statistics(Part& part, double seconds, std::uint64_t moves) {
 }
 
 void print_summary(const Options& o, Part& part, std::uint64_t moves, std::uint64_t blocks) {
-    std::fprintf(stderr, "%s -> %s: %llu moves of %llu blocks on the %s\n", o.part.c_str(), o.output.c_str(),
+    std::fprintf(stderr, "%s -> %s: %llu moves of %llu blocks, machine: %s\n", o.part.c_str(), o.output.c_str(),
                  static_cast<unsigned long long>(moves), static_cast<unsigned long long>(blocks),
                  part.machine_name().c_str());
 }
@@ -81,7 +81,7 @@ Exit compile(Options& o) {
     const bool whole = found == Exit::ok && output->finish();
     if (output->failure()) part.diagnostics().report(*output->failure());
     console.finish();
-    if (o.settings.statistics)
+    if (o.statistics)
         print_statistics(part, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
                          progress.moves());
     if (whole && !o.settings.quiet && o.settings.format == "human")
@@ -100,6 +100,8 @@ void add_compile(CLI::App& app, Exit& exit) {
     command->add_flag("--stream", options->stream,
                       "standard output: moves as they come, even if an error follows them");
     add_program_options(*command, options->settings);
+    command->add_flag("--stats", options->statistics, "blocks, shapes, parser calls and time on standard error")
+        ->group("Diagnosis");
     command->footer(
         "Examples:\n"
         "  fagorc compile part.pit -o part.ftj\n"

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "frontend/controls/controls.hpp"
 #include "ir/control/describe.hpp"
@@ -24,6 +25,8 @@ struct Options {
 
 constexpr Text planned{"known, not yet supported", "connu, pas encore pris en charge", "conocido, aún no se admite"};
 constexpr Text example{"Example:", "Exemple :", "Ejemplo:"};
+constexpr Text raises{"Raises it:", "La déclenche :", "La provoca:"};
+constexpr Text does_not{"Is right:", "Est correct :", "Es correcto:"};
 constexpr Text read_only{"read only", "lecture seule", "solo lectura"};
 constexpr Text stops{"stops block preparation", "arrête la préparation des blocs", "detiene la preparación de bloques"};
 
@@ -37,6 +40,18 @@ std::string indented(std::string_view text) {
     std::string out = "    ";
     for (char c : text) out += c == '\n' ? "\n    " : std::string(1, c);
     return out + '\n';
+}
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of('\n');
+    return first == text.npos ? std::string_view{} : text.substr(first, text.find_last_not_of('\n') + 1 - first);
+}
+
+/// A message with dots in the place of its values {0}, {1} ...
+std::string without_values(std::string_view message) {
+    std::string out(message);
+    for (std::size_t i = 0; (i = out.find('{', i)) != out.npos;) out.replace(i, out.find('}', i) + 1 - i, "...");
+    return out;
 }
 
 std::string operands(std::span<const control::Operand> list, Language l) {
@@ -58,12 +73,14 @@ std::string head(std::string_view word, Text title, std::string_view section, co
 
 std::string finding(diag::Id id, Language l) {
     const diag::Row& row = diag::row(id);
-    std::string out = fmt::format("{} {}: {}\n", row.code, diag::to_string(row.severity, l), row.message.in(l));
+    std::string out =
+        fmt::format("{} {}: {}\n", row.code, diag::to_string(row.severity, l), without_values(row.message.in(l)));
     if (!row.alarm_8055.empty()) out += fmt::format("8055: {}\n", row.alarm_8055);
     if (!row.alarm_8025.empty()) out += fmt::format("8025: {}\n", row.alarm_8025);
-    if (const auto page = diag::explain_page(id, l); !page.empty()) out += fmt::format("\n{}\n", page);
+    if (const auto page = trimmed(diag::explain_page(id, l)); !page.empty()) out += fmt::format("\n{}\n", page);
+    Text title = raises;
     for (const auto program : diag::explain_examples(id))
-        out += fmt::format("\n{}\n{}", example.in(l), indented(program));
+        out += fmt::format("\n{}\n{}", std::exchange(title, does_not).in(l), indented(trimmed(program)));
     return out;
 }
 

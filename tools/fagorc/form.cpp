@@ -27,7 +27,7 @@ constexpr std::array<Form, 4> rows = {{
      [](const Job& j, Output& o, const FormOptions& p) {
          return backends::make_csv_writer(j, o, {.part_frame = p.frame == "part", .events = p.events});
      }},
-    {"json", ".json.jsonl", "lines of JSON",
+    {"json", ".json.jsonl", "lines of objects",
      [](const Job& j, Output& o, const FormOptions&) { return backends::make_json_writer(j, o); }},
 }};
 
@@ -63,7 +63,7 @@ void add_form_options(CLI::App& command, FormOptions& options, std::span<const F
     std::string what;
     for (const Form& f : to) {
         names.emplace_back(f.name);
-        (((what += what.empty() ? "" : ", ") += f.name) += ' ') += f.title;
+        ((((what += what.empty() ? "" : ", ") += f.name) += " (") += f.title) += ')';
     }
     command.add_option("--to", options.form, "form: " + what)->check(CLI::IsMember(names));
     command.add_option("--frame", options.frame, "csv: coordinates from the machine zero or the active part zero")

@@ -42,8 +42,6 @@ void add_program_options(CLI::App& command, Settings& s) {
         ->group("Machine and program");
     command.add_option("--max-blocks", s.max_blocks, "stop after so many executed blocks")
         ->group("Machine and program");
-    command.add_flag("--stats", s.statistics, "blocks, shapes, parser calls and time on standard error")
-        ->group("Diagnosis");
     command.add_flag("--verify-passes", s.verify_passes, "check what must hold between the passes")->group("Diagnosis");
     command.add_flag("--no-shape-cache", s.no_shape_cache, "parse every block anew")->group("Diagnosis");
     command.add_flag("--no-loop-cache", s.no_loop_cache, "decode the blocks of loops anew")->group("Diagnosis");

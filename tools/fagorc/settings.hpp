@@ -21,7 +21,7 @@ struct Settings {
     std::vector<int> skip;  ///< block skip marks that are set, 1..3
     std::string language, color = "auto", format = "human";
     std::uint64_t max_blocks = 1'000'000'000;
-    bool deny_warnings = false, quiet = false, statistics = false, verify_passes = false;
+    bool deny_warnings = false, quiet = false, verify_passes = false;
     bool no_shape_cache = false, no_loop_cache = false;
 };
 

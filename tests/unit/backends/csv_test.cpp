@@ -46,6 +46,31 @@ TEST(Csv, PartFrameSubtractsTheActiveOffset) {
                   "2,line,0.000000,0.000000,,,200.000000,mm/min,,C=90.000000\n");
 }
 
+// 8055 T 5.1: F0 is MAXFEED. No axis may exceed its own, so the smallest of those that move is the feed, whatever the
+// mode.
+TEST(Csv, AFeedOfZeroIsTheHighestOfTheAxesThatMove) {
+    Stream s;
+    s.machine.axes[Axis::X].max_feed = 4000;
+    s.machine.axes[Axis::Z].max_feed = 9000;
+    s.machine.axes[Axis::C].max_feed = 3000;
+    s.now.modal.feed = program::FeedMode::per_revolution;
+    s.state();
+    s.next.at.feed = 0;
+    s.line(-5, 0);
+    s.line(-5, 10);
+    s.line(-8, 12);
+    s.arc({-10, 10}, {-10, 12}, true);
+    s.next.others[Axis::C] = 90;
+    s.next.moved.add(Axis::C);
+    s.line(-20, 10);
+    EXPECT_EQ(csv(s), std::string(header) +
+                          "1,line,0.000000,-5.000000,,,9000.000000,mm/min,,\n"
+                          "2,line,10.000000,-5.000000,,,4000.000000,mm/min,,\n"
+                          "3,line,12.000000,-8.000000,,,4000.000000,mm/min,,\n"
+                          "4,ccw,10.000000,-10.000000,12.000000,-10.000000,4000.000000,mm/min,,\n"
+                          "5,line,10.000000,-20.000000,,,3000.000000,mm/min,,C=90.000000\n");
+}
+
 TEST(Csv, NothingIsMinusZero) {
     Stream s;
     s.rapid(-0.0, -1e-9);

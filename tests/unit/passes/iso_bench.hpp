@@ -40,6 +40,7 @@ struct EmptyProgram : program::Program {
     const program::Subroutine* subroutine(std::uint32_t n, bool) override { return n == 9990 ? &home : nullptr; }
     std::vector<program::PlacedToken> tokens(const program::Block&) override { return {}; }
     diag::Place place_of_line(std::uint32_t) override { return {}; }
+    std::optional<std::uint32_t> label_of_line(std::uint32_t) override { return std::nullopt; }
     void check_unread(diag::Sink&) override {}
     std::string_view text() override { return {}; }
     program::Subroutine home;  ///< 9990, the built-in lathe's home subroutine
