@@ -87,7 +87,7 @@ TEST_F(VerifyFile, Truncated) {
     const Found moves = find(Type::moves);
     file_.resize(moves.block.next - 8);
     expect(diag::Id::trajectory_truncated,
-           "the trajectory file ends after " + std::to_string(moves.number) + " whole blocks");
+           "the trajectory file is cut off at block " + std::to_string(moves.number));
 }
 
 TEST_F(VerifyFile, UnknownCriticalBlock) {
