@@ -174,18 +174,22 @@ class Run {
             {t, payload, static_cast<std::uint32_t>(from - begin_), static_cast<std::uint32_t>(to - from)});
     }
     void slot(Quantity q, const char* from, const char* to) {
-        q.at = static_cast<std::uint32_t>(from - begin_);
-        q.length = static_cast<std::uint16_t>(to - from);
-        *slots_++ = q;
+        *slots_ = q;
+        placed_slot(from, to);
+    }
+    /// Gives the quantity that was written into the next slot its place.
+    void placed_slot(const char* from, const char* to) {
+        slots_->at = static_cast<std::uint32_t>(from - begin_);
+        slots_->length = static_cast<std::uint16_t>(to - from);
+        ++slots_;
     }
     void symbol() { token(static_cast<Token>(*p_), p_, p_ + 1); }
 
     /// A number whose digits start at `digits`; `from` is its sign when that belongs to it.
     void number(const char* digits, bool negative, const char* from) {
-        Quantity q;
-        const char* to = read_quantity(digits, negative, q);
+        const char* to = read_quantity(digits, negative, *slots_);
         if (to == digits) return invalid(digits + 1);  // a point alone
-        slot(q, from, to);
+        placed_slot(from, to);
         token(Token::number, from, to);
     }
 
