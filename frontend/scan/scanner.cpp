@@ -117,7 +117,7 @@ class Run {
                 case Kind::end:
                     return p_;
                 case Kind::letter:
-                    depth_ ? word() : address();
+                    depth_ ? word() : words();
                     break;
                 case Kind::digit:
                     number(p_, false, p_);
@@ -200,14 +200,23 @@ class Run {
         symbol();
     }
 
+    /// The words of an ISO block, mostly all of it.
+    void words() {
+        do {
+            address();
+            p_ = skip_blanks(p_);
+        } while (p_ <= limit_ && kind(*p_) == Kind::letter);
+    }
+
     void address() {
         const char c = upper(*p_);
         lower_case_ |= c != *p_;
         if (c == 'G' || c == 'M') return code(c);
         token(program::letter_token(c), p_, p_ + 1);
         // Most addresses are followed by a number at once.
-        const char* next = p_;
-        if (kind(*next) == Kind::digit) number(next, false, next);
+        const char* const next = p_;
+        const bool minus = *next == '-';
+        if (kind(next[minus]) == Kind::digit) number(next + minus, minus, next);
     }
 
     /// G or M: the digits name something, so they stay in the key; none are 0 (8055 T 2.1). `GP1` takes them from a
