@@ -139,7 +139,7 @@ Program* Workspace::open(const std::string& path) {
 }
 
 Program& Workspace::add(std::string name, std::string text) {
-    return implementation_->add(std::move(name), text_of(std::move(text)));
+    return implementation_->add(std::move(name), text_of(text));
 }
 
 diag::FileId Workspace::add_text(std::string name, std::string text) {

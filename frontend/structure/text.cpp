@@ -1,40 +1,77 @@
 #include "frontend/structure/text.hpp"
 
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 
 namespace fagorc::frontend {
 namespace {
 
+/// Bytes as they come from a file. A large block asks for large pages: touching it costs a fraction then.
+class Buffer {
+  public:
+    explicit Buffer(std::size_t room) { grow(room); }
+
+    char* end() { return bytes_.get() + size_; }
+    std::size_t size() const { return size_; }
+    std::size_t room() const { return room_ - size_; }
+    void add(std::size_t size) { size_ += size; }
+    void cut(std::size_t size) { size_ = size; }
+    void append(std::string_view text) {
+        if (text.empty()) return;
+        std::memcpy(end(), text.data(), text.size());
+        size_ += text.size();
+    }
+    void grow(std::size_t room) {
+        std::unique_ptr<char[]> larger(new char[room]);
+        advise(larger.get(), room);
+        if (size_) std::memcpy(larger.get(), bytes_.get(), size_);
+        bytes_ = std::move(larger);
+        room_ = room;
+    }
+    std::string_view text() const { return {bytes_.get(), size_}; }
+
+  private:
+    static void advise(char* begin, std::size_t size) {
+        constexpr std::uintptr_t page = 4096;
+        const auto first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) / page * page;
+        const auto last = (reinterpret_cast<std::uintptr_t>(begin) + size) / page * page;
+        if (last > first) ::madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+    }
+
+    std::unique_ptr<char[]> bytes_;
+    std::size_t size_ = 0, room_ = 0;
+};
+
 class MemoryText final : public Text {
   public:
-    explicit MemoryText(std::string bytes) : bytes_(std::move(bytes)) {
-        bytes_.resize(without_tail(bytes_));
+    /// Takes a buffer that has room for a line end.
+    explicit MemoryText(Buffer bytes) : bytes_(std::move(bytes)) {
+        bytes_.cut(without_tail(bytes_.text()));
         ready_ = bytes_.size();
-        bytes_ += '\n';
-        data_ = bytes_.data();
+        bytes_.append("\n");
+        data_ = bytes_.text().data();
     }
 
   private:
-    std::string bytes_;
+    Buffer bytes_;
 };
 
-/// Reads a descriptor to its end; an error number, or 0.
-int read_all(int fd, std::string& bytes) {
+/// Reads a descriptor to its end and leaves room for a line end; an error number, or 0.
+int read_all(int fd, Buffer& bytes) {
     for (;;) {
-        const std::size_t have = bytes.size();
-        const std::size_t room = std::max<std::size_t>(std::size_t{1} << 16, bytes.capacity() - have - 1);
-        bytes.resize(have + room);
-        const ssize_t n = ::read(fd, bytes.data() + have, room);
-        bytes.resize(have + static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
+        if (bytes.room() < 2) bytes.grow(2 * bytes.size());
+        const ssize_t n = ::read(fd, bytes.end(), bytes.room() - 1);
         if (n == 0) return 0;
         if (n < 0 && errno != EINTR) return errno;
+        if (n > 0) bytes.add(static_cast<std::size_t>(n));
     }
 }
 
@@ -65,7 +102,9 @@ bool is_program_text(std::string_view head, diag::Sink& out) {
     return false;
 }
 
-std::unique_ptr<Text> text_of(std::string bytes) {
+std::unique_ptr<Text> text_of(std::string_view text) {
+    Buffer bytes(text.size() + 1);
+    bytes.append(text);
     return std::make_unique<MemoryText>(std::move(bytes));
 }
 
@@ -84,13 +123,13 @@ std::unique_ptr<Text> text_of_file(const std::string& path, diag::Sink& out) {
         return nullptr;
     }
     if (!S_ISREG(status.st_mode)) return text_of_stream(fd, out);
-    std::string bytes;
-    bytes.reserve(static_cast<std::size_t>(std::max<off_t>(status.st_size, 0)) + (std::size_t{1} << 16) + 2);
+    // Two bytes more than there are: the second read finds the end without growing.
+    Buffer bytes(static_cast<std::size_t>(std::max<off_t>(status.st_size, 0)) + 2);
     const int error = read_all(fd, bytes);
     ::close(fd);
     if (error) return fail(error);
-    if (!is_program_text(bytes, out)) return nullptr;
-    return text_of(std::move(bytes));
+    if (!is_program_text(bytes.text(), out)) return nullptr;
+    return std::make_unique<MemoryText>(std::move(bytes));
 }
 
 }  // namespace fagorc::frontend

@@ -43,7 +43,7 @@ class Text {
 };
 
 /// A text from memory.
-std::unique_ptr<Text> text_of(std::string bytes);
+std::unique_ptr<Text> text_of(std::string_view text);
 /// A regular file, read whole: it may shrink or change on disk without harm. What is no regular file (a named pipe, a
 /// device) is read as a stream. Null: reported.
 std::unique_ptr<Text> text_of_file(const std::string& path, diag::Sink& out);

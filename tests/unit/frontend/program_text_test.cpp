@@ -22,7 +22,7 @@ using program::Cursor;
 struct Bench {
     explicit Bench(std::string text, bool loop_cache = true, bool shape_cache = true)
         : shapes(maker, shape_cache),
-          program({lathe(), scanner, shapes, found, loop_cache}, {}, "000012.PIT", text_of(std::move(text))) {}
+          program({lathe(), scanner, shapes, found, loop_cache}, {}, "000012.PIT", text_of(text)) {}
 
     /// The texts of the blocks from start() in line.
     std::vector<std::string> in_line() {
