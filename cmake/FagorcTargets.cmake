@@ -4,6 +4,9 @@ add_library(fagorc_options INTERFACE)
 target_compile_options(fagorc_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror)
 # GCC 12 warns falsely about `"text" + std::string` in optimised builds (GCC bug 105651).
 target_compile_options(fagorc_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+# GCC packs the two coordinates of a point into one register and reads both at once what was stored one by one: each such
+# load waits for the stores (15 cycles), and points are everywhere.
+target_compile_options(fagorc_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
 if(FAGORC_SANITIZE)
     add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
     add_link_options(-fsanitize=address,undefined)
