@@ -5,8 +5,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -37,8 +39,19 @@ class File final : public Descriptor {
     std::string_view temporary() const override { return temporary_; }
 
   protected:
+    /// Collects whole pages: a file system takes them in half the time of others.
+    bool put(Bytes bytes) override {
+        while (!bytes.empty()) {
+            const Bytes part = bytes.first(std::min(bytes.size(), room_size - waiting_));
+            std::memcpy(room_ + waiting_, part.data(), part.size());
+            waiting_ += part.size();
+            bytes = bytes.subspan(part.size());
+            if (waiting_ == room_size && !pass_on()) return false;
+        }
+        return true;
+    }
     bool close() override {
-        if (!close_descriptor()) return false;
+        if (!pass_on() || !close_descriptor()) return false;
         if (::rename(temporary_.c_str(), name().c_str()) != 0) return fail(name(), errno);
         temporary_.clear();
         return true;
@@ -56,7 +69,12 @@ class File final : public Descriptor {
         ::fchmod(descriptor(), 0666 & ~mask);
     }
 
+    bool pass_on() { return Descriptor::put(Bytes(room_, std::exchange(waiting_, 0))); }
+
+    static constexpr std::size_t room_size = std::size_t{1} << 16;
     std::string temporary_;  ///< empty once it is gone
+    std::size_t waiting_ = 0;
+    alignas(4096) std::byte room_[room_size];
 };
 
 }  // namespace
