@@ -50,8 +50,10 @@ std::uint32_t NumberingSink::find_state(const Situation& wanted) {
             --at;
         *at = {wanted, number};
     }
-    std::rotate(begin, at, at + 1);
-    return recent_[0].number;
+    const std::uint32_t number = at->number;
+    // G00, G01 and arcs take turns: what stands near the front is found soon enough where it is.
+    if (at - begin >= near_front) std::rotate(begin, at, at + 1);
+    return number;
 }
 
 std::uint32_t NumberingSink::text_number(std::uint32_t index) {

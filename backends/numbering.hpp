@@ -57,12 +57,13 @@ class NumberingSink : public operation::Sink {
     /// Spindle speeds may change with every block, so not all situations are kept: one that was not among the last ones
     /// gets a new number. A loop over more than this many states is rare, and its file only grows a little.
     static constexpr std::size_t recent_states = 64;
+    static constexpr std::ptrdiff_t near_front = 8;
 
     Job job_;
     std::vector<std::uint32_t> chain_numbers_;  ///< by ChainId
     std::vector<std::uint32_t> text_numbers_;   ///< by index of the event texts
     std::vector<diag::FileId> used_programs_;
-    std::array<Recent, recent_states> recent_;  ///< the one used last first
+    std::array<Recent, recent_states> recent_;  ///< those used last in front
     std::size_t recent_count_ = 0;
     std::uint32_t chains_ = 0, states_ = 0, texts_ = 0;
     operation::ChainId last_chain_{};

@@ -5,21 +5,23 @@
 namespace fagorc::frontend {
 namespace {
 
-/// Multiply and fold, eight bytes at a time; keys are 5 to 20 bytes.
+std::uint64_t word_at(const char* p, std::size_t bytes) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, p, bytes);
+    return word;
+}
+std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
+    hash = (hash ^ word) * 0xff51afd7ed558ccdULL;
+    return hash ^ hash >> 32;
+}
+
+/// Multiply and fold, eight bytes at a time; keys are 5 to 20 bytes. The last eight may overlap those before.
 std::uint64_t hash_of(std::string_view key) {
-    std::uint64_t h = key.size() * 0x9e3779b97f4a7c15ULL;
-    const char* p = key.data();
-    std::size_t n = key.size();
-    for (; n;) {
-        std::uint64_t word = 0;
-        const std::size_t take = n < 8 ? n : 8;
-        std::memcpy(&word, p, take);
-        h = (h ^ word) * 0xff51afd7ed558ccdULL;
-        h ^= h >> 32;
-        p += take;
-        n -= take;
-    }
-    return h;
+    const std::size_t n = key.size();
+    std::uint64_t h = n * 0x9e3779b97f4a7c15ULL;
+    if (n < 8) return mixed(h, word_at(key.data(), n));
+    for (std::size_t i = 0; i + 8 < n; i += 8) h = mixed(h, word_at(key.data() + i, 8));
+    return mixed(h, word_at(key.data() + n - 8, 8));
 }
 
 }  // namespace

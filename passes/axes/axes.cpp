@@ -12,8 +12,9 @@ class Axes final : public Pass {
     using Pass::Pass;
 
     void push(const Operation& o) override {
-        if (o.at.frame != frame_ || o.at.state != state_) select(o.at);
+        if (o.at.frame != frame_) select_frame(o.at.frame);
         if (still_) return emit(o);
+        if (o.at.state != state_) select_plane(o.at.state);
         Operation moved = o;
         std::visit([this](auto& what) { place(what); }, moved.what);
         for (Axis a : all_axes) moved.others[a] += offset_[a];
@@ -21,14 +22,17 @@ class Axes final : public Pass {
     }
 
   private:
-    /// The offset of a new frame or plane; kept, because most operations share both with the one before.
-    void select(const operation::Context& at) {
-        frame_ = at.frame;
-        state_ = at.state;
-        const operation::Frame& frame = environment().tables.frames[at.frame];
+    // Kept, because most operations share frame and state with the one before.
+    void select_frame(operation::FrameId id) {
+        frame_ = id;
+        state_.reset();
+        const operation::Frame& frame = environment().tables.frames[id];
         offset_ = frame.machine ? PerAxis<double>{} : frame.offset;
         still_ = offset_ == PerAxis<double>{};
-        const Plane plane = environment().tables.states[at.state].modal.plane;
+    }
+    void select_plane(operation::StateId id) {
+        state_ = id;
+        const Plane plane = environment().tables.states[id].modal.plane;
         shift_ = {offset_[plane.u], offset_[plane.v]};
     }
 
