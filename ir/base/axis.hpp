@@ -27,11 +27,19 @@ constexpr bool is_rotary(Axis a) {
     return a >= Axis::A;
 }
 
-/// The axis of an upper-case letter; nothing for a letter that names no axis.
+/// Index of the axis by letter from A; -1 for a letter that names none.
+inline constexpr auto axis_by_letter = [] {
+    std::array<std::int8_t, 26> table{};
+    table.fill(-1);
+    for (Axis a : all_axes) table[static_cast<std::size_t>(letter(a) - 'A')] = static_cast<std::int8_t>(a);
+    return table;
+}();
+
+/// The axis of an upper-case letter; nothing for a character that names no axis.
 constexpr std::optional<Axis> axis_of(char c) {
-    for (Axis a : all_axes)
-        if (letter(a) == c) return a;
-    return std::nullopt;
+    const std::size_t at = static_cast<unsigned char>(c - 'A');
+    if (at >= axis_by_letter.size() || axis_by_letter[at] < 0) return std::nullopt;
+    return static_cast<Axis>(axis_by_letter[at]);
 }
 
 /// The centre letter that belongs to an axis: X U A -> I, Y V B -> J, Z W C -> K (8055 T 6.3).
@@ -54,6 +62,12 @@ struct AxisSet {
     constexpr void add(Axis a) { bits = static_cast<std::uint16_t>(bits | (1u << index(a))); }
     constexpr void remove(Axis a) { bits = static_cast<std::uint16_t>(bits & ~(1u << index(a))); }
     constexpr bool empty() const { return bits == 0; }
+    /// More than one axis.
+    constexpr bool several() const { return (bits & (bits - 1)) != 0; }
+    /// The axes that both sets have.
+    friend constexpr AxisSet operator&(AxisSet a, AxisSet b) {
+        return {static_cast<std::uint16_t>(a.bits & b.bits)};
+    }
     friend constexpr bool operator==(AxisSet, AxisSet) = default;
 };
 

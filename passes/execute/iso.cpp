@@ -56,6 +56,8 @@ IsoRunner::Control::Control(Session& s) : session(s) {
     for (Axis a : all_axes) {
         const machine::AxisData& data = s.machine.axes[a];
         const bool positions = data.type == AxisType::positioning || data.type == AxisType::hirth;
+        if (data.type == AxisType::hirth) hirth_axes.add(a);
+        if (positions) positioning_axes.add(a);
         way[a] = !data.exists                    ? AxisWay::missing
                  : is_rotary(a) && data.rollover ? (positions ? AxisWay::shortest : AxisWay::turning)
                  : positions                     ? AxisWay::indexed

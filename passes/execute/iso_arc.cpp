@@ -20,11 +20,9 @@ constexpr std::uint64_t blocks_looked_back = 48;  // 8055 T 2.5
 void IsoRunner::Control::arc(const MotionWords& words) {
     const Plane plane = state.modal.plane;
     for (Axis a : all_axes) {
-        const auto type = session.machine.axes[a].type;
-        if (words.axes.has(a) && (type == machine::AxisType::positioning || type == machine::AxisType::hirth)) {
-            session.report_block(diag::Id::positioning_axis_not_allowed, letter(a), code_of_motion());
-            return;
-        }
+        if (!(words.axes & positioning_axes).has(a)) continue;
+        session.report_block(diag::Id::positioning_axis_not_allowed, letter(a), code_of_motion());
+        return;
     }
     if (!cutting_checked && !cutting_allowed()) return;
     std::optional<Form> form_found;
@@ -253,8 +251,9 @@ void IsoRunner::Control::emit_arc(const Form& f, const MotionWords& words) {
     now.moved.remove(plane.u);
     now.moved.remove(plane.v);
     if (f.pitch && !whole_turns(f)) return;
-    for (Axis a : all_axes)
-        if (now.moved.has(a)) now.others[a] = programmed[a] = target[a];
+    if (!now.moved.empty())
+        for (Axis a : all_axes)
+            if (now.moved.has(a)) now.others[a] = programmed[a] = target[a];
     now.others[plane.u] = programmed[plane.u] = f.end.u;
     now.others[plane.v] = programmed[plane.v] = f.end.v;
     outcome.moved = true;

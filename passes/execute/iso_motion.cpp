@@ -24,19 +24,7 @@ constexpr std::uint32_t axis_letters = [] {
     return bits;
 }();
 
-/// Axis by address, for the words of plain blocks.
-constexpr auto axis_by_letter = [] {
-    std::array<Axis, 26> table{};
-    for (Axis a : all_axes) table[static_cast<std::size_t>(letter(a) - 'A')] = a;
-    return table;
-}();
-
 constexpr unsigned linear_axes = (1u << index(Axis::A)) - 1;
-
-/// A rotary axis of this type only positions (8055 T 3.10).
-bool positions(const machine::AxisData& axis) {
-    return axis.type == machine::AxisType::positioning || axis.type == machine::AxisType::hirth;
-}
 
 constexpr double full_turn = 360, largest_angle = 359.9999;
 constexpr double half_step = 0.00005;  // of the last decimal of an angle
@@ -78,7 +66,7 @@ void IsoRunner::Control::plain_line(std::span<const Word> words) {
     const bool absolute = state.modal.distance == Distance::absolute;
     AxisSet moved;
     for (const Word& word : words) {
-        const Axis a = axis_by_letter[static_cast<std::size_t>(word.address - 'A')];
+        const Axis a = *axis_of(word.address);
         const double v = coordinate_word(word);
         if (way[a] == AxisWay::straight) [[likely]] {
             programmed[a] = absolute ? v * scale[a] : programmed[a] + v * scale[a];
@@ -115,14 +103,20 @@ void IsoRunner::Control::emit_line(Point start, AxisSet moved) {
     if (end != start) path_ends(end - start);
 }
 
-const Operand* IsoRunner::Control::motion_operand(char address, const Construct*& row) const {
+const Operand* IsoRunner::Control::motion_operand(char address, const Construct*& row) {
     row = form.arc_row;
     if (row != nullptr) {
         if (const Operand* o = row->operand(address)) return o;
         if (form.arc != BlockForm::Arc::by_motion) return nullptr;
     }
     row = motion_row;
-    return row != nullptr ? row->operand(address) : nullptr;
+    if (row == nullptr) return nullptr;
+    Spelling& known = spellings[static_cast<std::size_t>(state.modal.motion)];
+    if (known.row != row) {
+        known.row = row;
+        for (char c = 'A'; c <= 'Z'; ++c) known.operands[static_cast<std::size_t>(c - 'A')] = row->operand(c);
+    }
+    return known.operands[static_cast<std::size_t>(address - 'A')];
 }
 
 bool IsoRunner::Control::gather(std::span<const Word> words, MotionWords& out) {
@@ -211,15 +205,9 @@ double IsoRunner::Control::rotary_destination(Axis a, double v, const Word& word
 
 /// One Hirth axis in a block, one positioning axis in a G01 block (8055 T 3.10, 6.2).
 bool IsoRunner::Control::positioning_rules(const MotionWords& words) {
-    int hirth = 0, positioning = 0;
-    for (Axis a : all_axes) {
-        if (!words.axes.has(a)) continue;
-        hirth += session.machine.axes[a].type == machine::AxisType::hirth;
-        positioning += positions(session.machine.axes[a]);
-    }
-    if (hirth > 1) {
+    if ((words.axes & hirth_axes).several()) {
         session.report_block(diag::Id::two_hirth_axes);
-    } else if (positioning > 1 && state.modal.motion == Motion::line) {
+    } else if ((words.axes & positioning_axes).several() && state.modal.motion == Motion::line) {
         session.report_block(diag::Id::two_positioning_axes);
     } else {
         return true;

@@ -60,6 +60,14 @@ struct IsoState {
     std::uint8_t most_decimals = 4;
     PerAxis<double> scale{};  ///< mm, X as a radius, or degrees of one unit of an axis word
     PerAxis<AxisWay> way{};
+    AxisSet hirth_axes, positioning_axes;  ///< that only position; Hirth axes are such too (8055 T 3.10)
+
+    /// The operands of a motion code by letter, looked up once.
+    struct Spelling {
+        const control::Construct* row = nullptr;
+        std::array<const control::Operand*, 26> operands{};
+    };
+    std::array<Spelling, 6> spellings;  ///< by motion mode
 };
 
 }  // namespace fagorc::passes
