@@ -19,7 +19,7 @@ Block::Block(std::uint32_t type, std::uint16_t flags, std::size_t record_size, s
       record_size_(static_cast<std::uint16_t>(record_size)),
       prefix_(prefix),
       end_(start()),
-      bytes_(std::make_unique<std::byte[]>(block_size)) {}
+      bytes_(new std::byte[block_size]) {}  // not cleared: what is not filled is not touched
 
 BlockWriter::BlockWriter(Output& output) : output_(output) {
     FileHeader header{magic, major_version, minor_version, 0};

@@ -136,8 +136,8 @@ bool ProgramText::is_end_of_tape(Cursor at) {
 const Block* ProgramText::read(Cursor at) {
     const bool back = at.offset < furthest_;
     if (back && !loop_.empty()) {
-        const Decoded& d = loop_[at.offset % loop_slots];
-        if (d.block.shape && d.asked == at.offset) return ++blocks_read_, &d.block;
+        const Decoded* const d = loop_[at.offset % loop_slots].get();
+        if (d && d->asked == at.offset) return ++blocks_read_, &d->block;
     }
     const Block* block = decode(at, reading_);
     if (!block) return nullptr;
@@ -150,7 +150,9 @@ const Block* ProgramText::read(Cursor at) {
 /// Remembers the block that was read: a loop reads the same ones again and again.
 const Block* ProgramText::keep(Cursor asked) {
     if (loop_.empty()) loop_.resize(loop_slots);
-    Decoded& d = loop_[asked.offset % loop_slots];
+    std::unique_ptr<Decoded>& slot = loop_[asked.offset % loop_slots];
+    if (!slot) slot = std::make_unique<Decoded>();
+    Decoded& d = *slot;
     d.asked = asked.offset;
     d.block = reading_.block;
     d.slots.assign(d.block.slots.begin(), d.block.slots.end());
@@ -179,7 +181,7 @@ const Block* ProgramText::decode(Cursor at, Reading& into) {
                       {p, extent.length},
                       at,
                       next};
-        refuse_label(into);
+        if (into.block.shape->label_slot) refuse_label(into);
         return &into.block;
     }
     if (!text_->failure().empty())
@@ -190,7 +192,6 @@ const Block* ProgramText::decode(Cursor at, Reading& into) {
 /// A label has its range (8055 T 2.3). It is a number, so no shape can tell.
 void ProgramText::refuse_label(Reading& reading) const {
     const program::BlockTemplate& shape = *reading.block.shape;
-    if (!shape.label_slot) return;
     const double label = reading.block.slots[*shape.label_slot].value;
     const std::uint32_t most = decoder_.dialect.limits.label;
     if (label >= 0 && label <= most) return;

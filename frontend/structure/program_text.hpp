@@ -100,8 +100,8 @@ class ProgramText final : public program::Program {
     std::uint64_t mark_ = 0;   ///< offset of the line that starts the main part; start() where there is none
     program::Cursor read_to_;  ///< blocks from start() to here have been read in line
     std::uint64_t blocks_read_ = 0;
-    std::vector<Decoded> loop_;   ///< decoded blocks by offset; empty until the program jumps back
-    std::uint64_t furthest_ = 0;  ///< behind the furthest block read
+    std::vector<std::unique_ptr<Decoded>> loop_;  ///< decoded blocks by offset; empty until the program jumps back
+    std::uint64_t furthest_ = 0;                  ///< behind the furthest block read
 
     program::Cursor indexed_to_;
     LabelTable labels_;

@@ -140,10 +140,8 @@ bool Executor::repeats(const program::Statement& statement) const {
     return call && call->kind != program::Call::Kind::modal && call->kind != program::Call::Kind::by_g_code;
 }
 
-/// The repetition count of the block, if it has one, is in range and `allowed`.
-bool Executor::may_repeat(bool allowed) {
+bool Executor::repetition_fits(bool allowed) {
     const program::BlockTemplate& shape = *session_.block->shape;
-    if (!shape.repeat_slot) return true;
     const std::uint32_t most = session_.dialect.limits.repetitions;
     if (!allowed)
         session_.report(Id::repetition_not_possible, shape.repeat_token, shape.repeat_token + 1u);

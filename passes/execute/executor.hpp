@@ -37,7 +37,9 @@ class Executor {
     bool fuel();
     void refuel();
     bool repeats(const program::Statement& statement) const;
-    bool may_repeat(bool allowed);
+    /// The repetition count of the block, if it has one, is in range and `allowed`.
+    bool may_repeat(bool allowed) { return !session_.block->shape->repeat_slot || repetition_fits(allowed); }
+    bool repetition_fits(bool allowed);
     std::uint32_t runs() const;
 
     // statements.cpp

@@ -131,13 +131,12 @@ operation::StateId IsoRunner::Control::state_id() {
     return *id;
 }
 
-void IsoRunner::Control::emit(const operation::What& what) {
-    now.what = what;
+void IsoRunner::Control::send() {
     if (session.block != nullptr) now.at.line = session.block->here.line;  // null: the end of an empty text
     now.at.chain = session.chain;
     now.at.pass = session.pass;
     now.at.state = state_id();
-    if (form.machine == nullptr || !operation::is_motion(what)) [[likely]] {
+    if (form.machine == nullptr || !operation::is_motion(now.what)) [[likely]] {
         session.head.push(now);
         return;
     }

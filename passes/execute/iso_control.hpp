@@ -125,7 +125,13 @@ struct IsoRunner::Control : IsoState {
     bool in_tool_subroutine() const;
 
     // -- output (iso.cpp)
-    void emit(const operation::What& what);
+    /// Sends an operation made in place: a copy of what was stored a moment ago would wait for the stores.
+    template <class What>
+    void emit(const What& what) {
+        now.what = what;
+        send();
+    }
+    void send();
     void emit_event(operation::Event::Kind kind, double value);
     /// Something in the state other than the motion mode has changed.
     void state_changed() { state_ids.fill(std::nullopt); }
