@@ -8,13 +8,15 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdint>
+#include <cstdlib>
 #include <cstring>
+#include <new>
 
 namespace fagorc::frontend {
 namespace {
 
-/// Bytes as they come from a file. A large block asks for large pages: touching it costs a fraction then.
+/// Bytes as they come from a file. A large block starts on a large page and asks for such: touching and filling it costs
+/// a fraction then.
 class Buffer {
   public:
     explicit Buffer(std::size_t room) { grow(room); }
@@ -30,8 +32,9 @@ class Buffer {
         size_ += text.size();
     }
     void grow(std::size_t room) {
-        std::unique_ptr<char[]> larger(new char[room]);
-        advise(larger.get(), room);
+        std::unique_ptr<char[], Free> larger(static_cast<char*>(std::aligned_alloc(page(room), rounded(room))));
+        if (!larger) throw std::bad_alloc();
+        if (page(room) == large_page) ::madvise(larger.get(), rounded(room), MADV_HUGEPAGE);
         if (size_) std::memcpy(larger.get(), bytes_.get(), size_);
         bytes_ = std::move(larger);
         room_ = room;
@@ -39,14 +42,14 @@ class Buffer {
     std::string_view text() const { return {bytes_.get(), size_}; }
 
   private:
-    static void advise(char* begin, std::size_t size) {
-        constexpr std::uintptr_t page = 4096;
-        const auto first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) / page * page;
-        const auto last = (reinterpret_cast<std::uintptr_t>(begin) + size) / page * page;
-        if (last > first) ::madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
-    }
+    struct Free {
+        void operator()(char* bytes) const { std::free(bytes); }
+    };
+    static constexpr std::size_t large_page = std::size_t{2} << 20;
+    static std::size_t page(std::size_t room) { return room < large_page ? 64 : large_page; }
+    static std::size_t rounded(std::size_t room) { return (room + page(room) - 1) / page(room) * page(room); }
 
-    std::unique_ptr<char[]> bytes_;
+    std::unique_ptr<char[], Free> bytes_;
     std::size_t size_ = 0, room_ = 0;
 };
 
