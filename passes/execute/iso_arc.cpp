@@ -15,6 +15,13 @@ namespace {
 
 constexpr std::uint64_t blocks_looked_back = 48;  // 8055 T 2.5
 
+bool take_turn(Point end, const Turn& turn, Form& f) {
+    f.end = end;
+    f.centre = turn.centre;
+    f.ccw = turn.ccw;
+    return true;
+}
+
 }  // namespace
 
 void IsoRunner::Control::arc(const MotionWords& words) {
@@ -25,25 +32,27 @@ void IsoRunner::Control::arc(const MotionWords& words) {
         return;
     }
     if (!cutting_checked && !cutting_allowed()) return;
-    std::optional<Form> form_found;
+    const Point start = plane_point();
+    Form f{start, start, state.modal.motion == Motion::ccw, false, std::nullopt};
+    bool found = false;
     const bool u = words.axes.has(plane.u), v = words.axes.has(plane.v);
     if (form.arc != BlockForm::Arc::by_motion) {
-        form_found = other_arc(words);
+        found = other_arc(words, f);
     } else if (words.angle && (u || v || words.radius || words.angles > 1)) {
         session.report(diag::Id::coordinates_malformed, words.polar->token, words.polar->end_token,
                        words.polar->address);
     } else if (words.angle) {
-        form_found = polar_arc(words);
+        found = polar_arc(words, f);
     } else if (words.radius) {
-        form_found = radius_arc(words);
+        found = radius_arc(words, f);
     } else {
-        form_found = programmed_arc(words);
+        found = programmed_arc(words, f);
     }
-    if (!form_found || !exact(*form_found)) return;
-    emit_arc(*form_found, words);
+    if (!found || !exact(f)) return;
+    emit_arc(f, words);
     if (session.machine.polar_origin_follows_arcs && form.arc == BlockForm::Arc::by_motion) {
         polar = {};
-        polar.origin = form_found->centre;
+        polar.origin = f.centre;
         polar.placed = true;
     }
 }
@@ -106,59 +115,56 @@ bool IsoRunner::Control::centre_given(const MotionWords& words, Point& centre, s
     return true;
 }
 
-/// End point and I J K, which are 0 where they are left out.
-std::optional<Form> IsoRunner::Control::programmed_arc(const MotionWords& words) {
+/// End point and I J K, which are 0 where they are left out. Here and below `f` comes as the start point, with the
+/// sense of the motion mode.
+bool IsoRunner::Control::programmed_arc(const MotionWords& words, Form& f) {
     const Plane plane = state.modal.plane;
-    const Point start = plane_point();
-    Form f{start, start, state.modal.motion == Motion::ccw, false, std::nullopt};
     const bool no_end = !words.axes.has(plane.u) && !words.axes.has(plane.v);
     if (no_end && words.centre_count != 0) {
         session.report_once(diag::Id::full_circle_without_end, 0, 1);
     } else {
         const auto end = arc_end(words);
-        if (!end) return std::nullopt;
+        if (!end) return false;
         f.end = *end;
         if (words.centre_count == 0) {
             session.report_block(diag::Id::arc_centre_missing, code_of_motion());
-            return std::nullopt;
+            return false;
         }
     }
-    if (!centre_given(words, f.centre, f.pitch)) return std::nullopt;
-    return f;
+    if (!centre_given(words, f.centre, f.pitch)) return false;
+    return true;
 }
 
 /// Q from the centre, which is the polar origin where I J K do not say it (8055 T 6.3).
-std::optional<Form> IsoRunner::Control::polar_arc(const MotionWords& words) {
-    const Point start = plane_point();
-    Form f{start, start, state.modal.motion == Motion::ccw, false, std::nullopt};
+bool IsoRunner::Control::polar_arc(const MotionWords& words, Form& f) {
     if (words.centre_count == 0) {
         f.centre = polar.origin;
     } else if (!centre_given(words, f.centre, f.pitch)) {
-        return std::nullopt;
+        return false;
     }
-    const Point from_centre = start - f.centre;
+    const Point from_centre = plane_point() - f.centre;
     double angle = *words.angle;
     if (state.modal.distance == Distance::incremental) angle += degrees(std::atan2(from_centre.v, from_centre.u));
     f.end = f.centre + length(from_centre) * direction(angle);
-    return f;
+    return true;
 }
 
-std::optional<Form> IsoRunner::Control::radius_arc(const MotionWords& words) {
+bool IsoRunner::Control::radius_arc(const MotionWords& words, Form& f) {
     const Point start = plane_point();
     const Word& word = *words.polar;
     if (form.absolute_centre || words.centre_count > 1) {
         session.report(diag::Id::centre_wrong, word.token, word.end_token, "R or I J K");
-        return std::nullopt;
+        return false;
     }
     const auto end = arc_end(words);
-    if (!end) return std::nullopt;
-    Form f{*end, start, state.modal.motion == Motion::ccw, false, std::nullopt};
+    if (!end) return false;
+    f.end = *end;
     if (words.centre_count == 1) {  // the pitch of a helix
         f.pitch = words.centres[0].value * unit;
         if (!(*f.pitch > 0)) {
             const Word& p = *words.centres[0].word;
             session.report(diag::Id::pitch_wrong, p.token, p.end_token, words.centres[0].value);
-            return std::nullopt;
+            return false;
         }
     }
     const auto centre = centre_of_radius(start, *end, *words.radius, f.ccw, session.machine.arc_tolerance);
@@ -169,14 +175,14 @@ std::optional<Form> IsoRunner::Control::radius_arc(const MotionWords& words) {
         } else {
             session.report(diag::Id::arc_radius_too_small, word.token, word.end_token, std::abs(*words.radius), half);
         }
-        return std::nullopt;
+        return false;
     }
     f.centre = *centre;
-    return f;
+    return true;
 }
 
 /// G08 and G09: the modal motion plays no part (8055 T 6.5, 6.6).
-std::optional<Form> IsoRunner::Control::other_arc(const MotionWords& words) {
+bool IsoRunner::Control::other_arc(const MotionWords& words, Form& f) {
     const Plane plane = state.modal.plane;
     const Point start = plane_point();
     std::optional<Point> end;
@@ -188,24 +194,24 @@ std::optional<Form> IsoRunner::Control::other_arc(const MotionWords& words) {
     } else {
         end = arc_end(words);
     }
-    if (!end) return std::nullopt;
+    if (!end) return false;
     const auto& code = form.arc_row->code;
     std::optional<Turn> turn;
     if (form.arc == BlockForm::Arc::tangent) {
         if (!path.known || block_count - path.block - 1 > blocks_looked_back) {
             session.report_block(diag::Id::no_path_before, code);
-            return std::nullopt;
+            return false;
         }
         if (path.plane != plane) {
             session.report_block(diag::Id::tangent_arc_plane);
-            return std::nullopt;
+            return false;
         }
         turn = tangent_arc(start, path.direction, *end);
         if (!turn || distance(turn->centre, start) > largest_radius) {
             session.report_block(diag::Id::tangent_arc_impossible);
-            return std::nullopt;
+            return false;
         }
-        return Form{*end, turn->centre, turn->ccw, false, std::nullopt};
+        return take_turn(*end, *turn, f);
     }
     Point middle{};
     for (std::size_t i = 0; i < words.centre_count; ++i) {
@@ -218,9 +224,9 @@ std::optional<Form> IsoRunner::Control::other_arc(const MotionWords& words) {
     turn = arc_through(start, middle, *end);
     if (!turn || distance(turn->centre, start) > largest_radius) {
         session.report_block(diag::Id::arc_points_in_line);
-        return std::nullopt;
+        return false;
     }
-    return Form{*end, turn->centre, turn->ccw, false, std::nullopt};
+    return take_turn(*end, *turn, f);
 }
 
 /// Checks the radii at both ends; within the tolerance the centre gives way, so that the arc is exact (8055 T 6.3).
@@ -236,7 +242,8 @@ bool IsoRunner::Control::exact(Form& f) {
         session.report_block(diag::Id::arc_radii_disagree, off, session.machine.arc_tolerance);
         return false;
     }
-    f.full = distance(start, f.end) <= full_circle_chord;
+    const Point chord = f.end - start;
+    f.full = dot(chord, chord) <= full_circle_chord * full_circle_chord;
     if (f.full) {
         f.end = start;
     } else {
@@ -257,7 +264,12 @@ void IsoRunner::Control::emit_arc(const Form& f, const MotionWords& words) {
     now.others[plane.u] = programmed[plane.u] = f.end.u;
     now.others[plane.v] = programmed[plane.v] = f.end.v;
     outcome.moved = true;
-    emit(operation::Arc{f.end, f.centre, f.ccw, f.full});
+    auto& arc = make<operation::Arc>();
+    arc.end = f.end;
+    arc.centre = f.centre;
+    arc.ccw = f.ccw;
+    arc.full = f.full;
+    send();
     path_ends(arc_direction(f.end, f.centre, f.ccw));
 }
 

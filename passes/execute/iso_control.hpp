@@ -92,10 +92,10 @@ struct IsoRunner::Control : IsoState {
     void arc(const MotionWords& words);
     std::optional<Point> arc_end(const MotionWords& words);
     bool centre_given(const MotionWords& words, Point& centre, std::optional<double>& pitch);
-    std::optional<ArcForm> programmed_arc(const MotionWords& words);
-    std::optional<ArcForm> polar_arc(const MotionWords& words);
-    std::optional<ArcForm> radius_arc(const MotionWords& words);
-    std::optional<ArcForm> other_arc(const MotionWords& words);
+    bool programmed_arc(const MotionWords& words, ArcForm& out);
+    bool polar_arc(const MotionWords& words, ArcForm& out);
+    bool radius_arc(const MotionWords& words, ArcForm& out);
+    bool other_arc(const MotionWords& words, ArcForm& out);
     bool exact(ArcForm& form);
     void emit_arc(const ArcForm& form, const MotionWords& words);
     bool whole_turns(const ArcForm& form);
@@ -125,7 +125,11 @@ struct IsoRunner::Control : IsoState {
     bool in_tool_subroutine() const;
 
     // -- output (iso.cpp)
-    /// Sends an operation made in place: a copy of what was stored a moment ago would wait for the stores.
+    /// The operation to come, to be filled in place and sent: to copy what was stored a moment ago would wait for it.
+    template <class What>
+    What& make() {
+        return now.what.emplace<What>();
+    }
     template <class What>
     void emit(const What& what) {
         now.what = what;
@@ -141,7 +145,12 @@ struct IsoRunner::Control : IsoState {
     double tool_length(Axis axis) const {
         return axis == Axis::X ? state.length_x : axis == Axis::Z ? state.length_z : 0;
     }
-    void path_ends(Point direction) { path = {direction, state.modal.plane, block_count, true}; }
+    void path_ends(Point direction) {
+        path.direction = direction;
+        path.plane = state.modal.plane;
+        path.block = block_count;
+        path.known = true;
+    }
     std::string_view code_of_motion() const { return motion_row ? motion_row->code : std::string_view(); }
 
     Session& session;

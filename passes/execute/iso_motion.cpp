@@ -98,7 +98,10 @@ void IsoRunner::Control::emit_line(Point start, AxisSet moved) {
     const double feed = now.at.feed;
     // Rotary axes alone turn at degrees a minute, also under G70 (8055 T 5.1).
     if (end == start && unit != 1 && !moved.empty() && (moved.bits & linear_axes) == 0) now.at.feed = feed / unit;
-    emit(operation::Line{end, state.modal.motion == Motion::rapid});
+    auto& line = make<operation::Line>();
+    line.end = end;
+    line.rapid = state.modal.motion == Motion::rapid;
+    send();
     now.at.feed = feed;
     if (end != start) path_ends(end - start);
 }
