@@ -25,7 +25,7 @@ const char* read_long_quantity(const char* p, bool negative, program::Quantity& 
     }
     double value = 0;
     std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    q = {};
+    q.hexadecimal = 0;
     q.value = negative ? 0.0 - value : value;  // the sign of nothing is plus
     q.integer_digits = static_cast<std::uint8_t>(std::min<std::ptrdiff_t>(integer, 255));
     q.decimals = static_cast<std::uint8_t>(std::min<std::ptrdiff_t>(decimals, 127)) & 0x7f;

@@ -29,7 +29,7 @@ inline bool goes_on(const char* p, bool point) {
 }
 
 /// Reads digits and a point from `p`; blanks between them mean nothing (8055 T 2.1: `X 3 0` is X30). Sets value,
-/// correctly rounded, and digit counts of `q`, and leaves its place at 0. Returns the place behind the last digit; `p`
+/// correctly rounded, and digit counts of `q`, not its place. Returns the place behind the last digit; `p`
 /// where there is no digit. In the header because every word of every block comes through it.
 inline const char* read_quantity(const char* p, bool negative, program::Quantity& q) {
     const char* const from = p;
@@ -53,8 +53,6 @@ inline const char* read_quantity(const char* p, bool negative, program::Quantity
     double value = static_cast<double>(static_cast<std::int64_t>(mantissa));
     if (decimals) value /= powers_of_ten[decimals];
     q.value = negative ? 0.0 - value : value;  // the sign of nothing is plus
-    q.at = 0;
-    q.length = 0;
     q.integer_digits = static_cast<std::uint8_t>(integer);
     q.decimals = static_cast<std::uint8_t>(decimals) & 0x7f;
     q.hexadecimal = 0;

@@ -20,6 +20,7 @@ enum class Kind : std::uint8_t {
     end,
     blank,
     letter,
+    code,  ///< G or M: a letter whose digits name something
     digit,
     sign,
     quote,
@@ -35,19 +36,20 @@ constexpr std::array<Kind, 256> make_kinds() {
     std::array<Kind, 256> k{};
     for (int c = 0; c < 256; ++c) {
         const char ch = static_cast<char>(c);
-        k[c] = (ch >= 'A' && ch <= 'Z') || (ch >= 'a' && ch <= 'z') ? Kind::letter
-               : (ch >= '0' && ch <= '9') || ch == '.'              ? Kind::digit
-               : ch == ' ' || ch == '\t' || ch == '\0'              ? Kind::blank
-               : ch == '\r' || ch == '\n'                           ? Kind::end
-               : ch == '+' || ch == '-'                             ? Kind::sign
-               : ch == '=' || ch == ',' || ch == '*' || ch == '?'   ? Kind::symbol
-               : ch == '('                                          ? Kind::open
-               : ch == ')'                                          ? Kind::close
-               : ch == '/'                                          ? Kind::slash
-               : ch == '"'                                          ? Kind::quote
-               : ch == ';'                                          ? Kind::comment
-               : ch == '$'                                          ? Kind::dollar
-                                                                    : Kind::other;
+        k[c] = ch == 'G' || ch == 'g' || ch == 'M' || ch == 'm'       ? Kind::code
+               : (ch >= 'A' && ch <= 'Z') || (ch >= 'a' && ch <= 'z') ? Kind::letter
+               : (ch >= '0' && ch <= '9') || ch == '.'                ? Kind::digit
+               : ch == ' ' || ch == '\t' || ch == '\0'                ? Kind::blank
+               : ch == '\r' || ch == '\n'                             ? Kind::end
+               : ch == '+' || ch == '-'                               ? Kind::sign
+               : ch == '=' || ch == ',' || ch == '*' || ch == '?'     ? Kind::symbol
+               : ch == '('                                            ? Kind::open
+               : ch == ')'                                            ? Kind::close
+               : ch == '/'                                            ? Kind::slash
+               : ch == '"'                                            ? Kind::quote
+               : ch == ';'                                            ? Kind::comment
+               : ch == '$'                                            ? Kind::dollar
+                                                                      : Kind::other;
     }
     return k;
 }
@@ -55,6 +57,9 @@ constexpr std::array<Kind, 256> kinds = make_kinds();
 
 Kind kind(char c) {
     return kinds[static_cast<unsigned char>(c)];
+}
+bool is_letter(Kind k) {
+    return k == Kind::letter || k == Kind::code;
 }
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
@@ -117,6 +122,7 @@ class Run {
                 case Kind::end:
                     return p_;
                 case Kind::letter:
+                case Kind::code:
                     depth_ ? word() : words();
                     break;
                 case Kind::digit:
@@ -154,7 +160,7 @@ class Run {
     }
     char* key() const { return key_; }
     Quantity* slots() const { return slots_; }
-    bool lower_case() const { return lower_case_; }
+    bool lower_case() const { return (letters_ & 0x20) != 0; }
 
   private:
     void token(Token t, const char* from, const char* to) {
@@ -175,10 +181,10 @@ class Run {
     }
     void slot(Quantity q, const char* from, const char* to) {
         *slots_ = q;
-        placed_slot(from, to);
+        place_slot(from, to);
     }
     /// Gives the quantity that was written into the next slot its place.
-    void placed_slot(const char* from, const char* to) {
+    void place_slot(const char* from, const char* to) {
         slots_->at = static_cast<std::uint32_t>(from - begin_);
         slots_->length = static_cast<std::uint16_t>(to - from);
         ++slots_;
@@ -189,7 +195,7 @@ class Run {
     void number(const char* digits, bool negative, const char* from) {
         const char* to = read_quantity(digits, negative, *slots_);
         if (to == digits) return invalid(digits + 1);  // a point alone
-        placed_slot(from, to);
+        place_slot(from, to);
         token(Token::number, from, to);
     }
 
@@ -203,20 +209,20 @@ class Run {
     /// The words of an ISO block, mostly all of it.
     void words() {
         do {
-            address();
+            letters_ |= *p_;
+            kind(*p_) == Kind::code ? code(upper(*p_)) : address(upper(*p_));
             p_ = skip_blanks(p_);
-        } while (p_ <= limit_ && kind(*p_) == Kind::letter);
+        } while (p_ <= limit_ && is_letter(kind(*p_)));
     }
 
-    void address() {
-        const char c = upper(*p_);
-        lower_case_ |= c != *p_;
-        if (c == 'G' || c == 'M') return code(c);
+    /// A letter; most are followed by a number at once.
+    void address(char c) {
         token(program::letter_token(c), p_, p_ + 1);
-        // Most addresses are followed by a number at once.
-        const char* const next = p_;
-        const bool minus = *next == '-';
-        if (kind(next[minus]) == Kind::digit) number(next + minus, minus, next);
+        const char* const from = p_;
+        if (kind(*from) == Kind::digit)
+            number(from, false, from);
+        else if (*from == '-' && kind(from[1]) == Kind::digit)
+            number(from + 1, true, from);
     }
 
     /// G or M: the digits name something, so they stay in the key; none are 0 (8055 T 2.1). `GP1` takes them from a
@@ -224,7 +230,7 @@ class Run {
     void code(char c) {
         const char* from = p_;
         const char* p = skip_blanks(p_ + 1);
-        const bool bare = kind(*p) == Kind::letter && upper(*p) != 'P';
+        const bool bare = is_letter(kind(*p)) && upper(*p) != 'P';
         if (!is_digit(*p) && !bare && kind(*p) != Kind::end && kind(*p) != Kind::comment)
             return token(program::letter_token(c), from, from + 1);
         std::uint32_t value = 0;
@@ -248,7 +254,7 @@ class Run {
         const char* from = p_;
         const Lexicon::Word w = lexicon_.longest(from);
         const std::size_t length = w.length ? w.length : 1;
-        for (std::size_t i = 0; i < length; ++i) lower_case_ |= from[i] >= 'a' && from[i] <= 'z';
+        for (std::size_t i = 0; i < length; ++i) letters_ |= is_letter(kind(from[i])) ? from[i] : 0;
         if (!w.length) return token(program::letter_token(upper(*from)), from, from + 1);
         token(w.token, w.payload, from, from + length);
         if (!w.text_follows) return;
@@ -271,7 +277,7 @@ class Run {
         std::uint32_t value = 0;
         const auto [to, error] = std::from_chars(p_ + 1, p_ + 9, value, 16);
         if (error != std::errc{}) return strange();
-        lower_case_ |= std::any_of(p_, to, [](char c) { return c >= 'a'; });
+        for (const char* p = p_; p < to; ++p) letters_ |= is_letter(kind(*p)) ? *p : 0;
         Quantity q;
         q.value = value;
         q.hexadecimal = 1;
@@ -296,7 +302,7 @@ class Run {
     Quantity* slots_;
     std::vector<PlacedToken>* placed_;
     int depth_ = 0;
-    bool lower_case_ = false;
+    int letters_ = 0;  ///< bits of all letters: 0x20 is that of lower case
 };
 
 }  // namespace

@@ -78,7 +78,7 @@ struct IsoRunner::Control : IsoState {
     void move(const program::IsoBlock& block);
     void plain_line(std::span<const program::Word> words);
     bool gather(std::span<const program::Word> words, MotionWords& out);
-    const control::Operand* motion_operand(char address, const control::Construct*& row);
+    const Spelling* motion_spelling();
     /// Where a word of an axis goes, part coordinates.
     double destination(Axis axis, double value, const program::Word& word);
     double rotary_destination(Axis axis, double value, const program::Word& word);

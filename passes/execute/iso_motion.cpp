@@ -106,26 +106,27 @@ void IsoRunner::Control::emit_line(Point start, AxisSet moved) {
     if (end != start) path_ends(end - start);
 }
 
-const Operand* IsoRunner::Control::motion_operand(char address, const Construct*& row) {
-    row = form.arc_row;
-    if (row != nullptr) {
-        if (const Operand* o = row->operand(address)) return o;
-        if (form.arc != BlockForm::Arc::by_motion) return nullptr;
-    }
-    row = motion_row;
-    if (row == nullptr) return nullptr;
+/// The operands of the motion mode in force by letter; null where no code has set it.
+const IsoRunner::Control::Spelling* IsoRunner::Control::motion_spelling() {
+    if (motion_row == nullptr) return nullptr;
     Spelling& known = spellings[static_cast<std::size_t>(state.modal.motion)];
-    if (known.row != row) {
-        known.row = row;
-        for (char c = 'A'; c <= 'Z'; ++c) known.operands[static_cast<std::size_t>(c - 'A')] = row->operand(c);
+    if (known.row != motion_row) {
+        known.row = motion_row;
+        for (char c = 'A'; c <= 'Z'; ++c) known.operands[static_cast<std::size_t>(c - 'A')] = motion_row->operand(c);
     }
-    return known.operands[static_cast<std::size_t>(address - 'A')];
+    return &known;
 }
 
 bool IsoRunner::Control::gather(std::span<const Word> words, MotionWords& out) {
+    const bool by_motion = form.arc_row == nullptr || form.arc == BlockForm::Arc::by_motion;
+    const Spelling* const spelling = by_motion ? motion_spelling() : nullptr;
     for (const Word& word : words) {
-        const Construct* row = nullptr;
-        const Operand* operand = motion_operand(word.address, row);
+        const Construct* row = form.arc_row;
+        const Operand* operand = row != nullptr ? row->operand(word.address) : nullptr;
+        if (operand == nullptr && spelling != nullptr) {
+            row = spelling->row;
+            operand = spelling->operands[static_cast<std::size_t>(word.address - 'A')];
+        }
         if (operand == nullptr) {
             session.report(diag::Id::coordinates_malformed, word.token, word.end_token, word.address);
             return false;
@@ -137,17 +138,17 @@ bool IsoRunner::Control::gather(std::span<const Word> words, MotionWords& out) {
         }
         const double raw = number(word);
         if (session.ends() || !allowed(*row, *operand, word, raw)) return false;
-        const double value = converted(operand->role, Axis::Z, raw);
+        const auto value = [&] { return converted(operand->role, Axis::Z, raw); };
         if ((word.address == 'R' || word.address == 'Q') && out.polar == nullptr) out.polar = &word;
         switch (word.address) {
             case 'R':
-                out.radius = value;
+                out.radius = value();
                 break;
             case 'L':
-                out.lead = value;
+                out.lead = value();
                 break;
             case 'Q':
-                out.angle = value;
+                out.angle = value();
                 ++out.angles;
                 break;
             default:  // a centre: its axis, and so its unit, depends on the plane
