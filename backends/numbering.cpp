@@ -41,19 +41,18 @@ std::uint32_t NumberingSink::find_chain(operation::ChainId id) {
 std::uint32_t NumberingSink::find_state(const Situation& wanted) {
     const auto begin = recent_.begin(), end = begin + static_cast<std::ptrdiff_t>(recent_count_);
     auto at = std::find_if(begin, end, [&](const Recent& r) { return r.situation == wanted; });
+    // G00, G01 and arcs take turns: what stands near the front is found soon enough where it is.
+    if (at - begin < near_front && at != end) return at->number;
     if (at == end) {
-        const std::uint32_t number = states_++;
-        new_state(number, wanted);
         if (recent_count_ < recent_states)
             ++recent_count_;
         else
             --at;
-        *at = {wanted, number};
+        *at = {wanted, states_++};
+        new_state(at->number, wanted);
     }
-    const std::uint32_t number = at->number;
-    // G00, G01 and arcs take turns: what stands near the front is found soon enough where it is.
-    if (at - begin >= near_front) std::rotate(begin, at, at + 1);
-    return number;
+    std::rotate(begin, at, at + 1);
+    return recent_[0].number;
 }
 
 std::uint32_t NumberingSink::text_number(std::uint32_t index) {

@@ -68,6 +68,21 @@ struct IsoState {
         std::array<const control::Operand*, 26> operands{};
     };
     std::array<Spelling, 6> spellings;  ///< by motion mode
+
+    /// Something in the state other than the motion mode has changed.
+    void state_changed() { state_ids.fill(std::nullopt); }
+    Point plane_point() const { return {now.others[state.modal.plane.u], now.others[state.modal.plane.v]}; }
+    /// The tool's length along an axis: machine reference = tip + length (8055 T 8.1).
+    double tool_length(Axis axis) const {
+        return axis == Axis::X ? state.length_x : axis == Axis::Z ? state.length_z : 0;
+    }
+    void path_ends(Point direction) {
+        path.direction = direction;
+        path.plane = state.modal.plane;
+        path.block = block_count;
+        path.known = true;
+    }
+    std::string_view code_of_motion() const { return motion_row ? motion_row->code : std::string_view(); }
 };
 
 }  // namespace fagorc::passes
