@@ -35,13 +35,13 @@ std::string default_output(const std::string& part, const Form& form) {
     return part == "-" ? "-" : std::filesystem::path(part).replace_extension(form.name).string();
 }
 
-void print_statistics(Part& part, double seconds, std::uint64_t moves) {
+void print_statistics(Part& part, double seconds, std::uint64_t blocks, std::uint64_t moves) {
     const frontend::Statistics s = part.workspace().statistics();
     std::fprintf(stderr,
                  "blocks %llu\nshapes %llu\nparser calls %llu\nmoves %llu\nseconds %.6f\nblocks per second %.0f\n",
-                 static_cast<unsigned long long>(s.blocks), static_cast<unsigned long long>(s.shapes),
+                 static_cast<unsigned long long>(blocks), static_cast<unsigned long long>(s.shapes),
                  static_cast<unsigned long long>(s.parser_calls), static_cast<unsigned long long>(moves), seconds,
-                 seconds > 0 ? static_cast<double>(s.blocks) / seconds : 0);
+                 seconds > 0 ? static_cast<double>(blocks) / seconds : 0);
 }
 
 void print_summary(const Options& o, Part& part, std::uint64_t moves, std::uint64_t blocks) {
@@ -83,7 +83,7 @@ Exit compile(Options& o) {
     console.finish();
     if (o.statistics)
         print_statistics(part, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
-                         progress.moves());
+                         result.blocks, progress.moves());
     if (whole && !o.settings.quiet && o.settings.format == "human")
         print_summary(o, part, progress.moves(), result.blocks);
     return output->failure() ? Exit::could_not_run : found;
