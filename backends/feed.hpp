@@ -11,7 +11,7 @@ struct Feed {
     program::FeedMode unit{};
 };
 
-/// F0 is the highest feed of the machine (8055 T 5.1), in mm/min whatever the feed mode: the smallest MAXFEED of the
+/// F0 is the highest feed of the machine (8055 T 5.2), in mm/min whatever the feed mode: the smallest MAXFEED of the
 /// axes that the line or arc moves. `before`: where the tip stands before it.
 double highest_feed(const Job& job, const Position& before, const operation::Operation& o);
 

@@ -1,4 +1,4 @@
-// One block of a Fagor 8055 program (language sheet of the manual: chapters 2, 11 and 12). The tokens come from our own
+// One block of a Fagor 8055 program (8055 T 2, 11 and 12). The tokens come from our own
 // scanner by way of the shape key: a word is a letter and a value, a G code is any G code, a variable is any variable. What
 // they mean, and which of them the control has, stands in its tables; no number and no name is written here.
 //

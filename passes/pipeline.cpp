@@ -17,7 +17,7 @@ struct Row {
     std::unique_ptr<Pass> (*make)(const Environment&, operation::Sink& next);
 };
 
-// The order is the control's own (8055 T 9.2 B): corners belong to the programmed path, so they come before the nose; a
+// The order is the control's own (docs/order.md): corners belong to the programmed path, so they precede the nose; a
 // cycle's profile may hold corners; the nose radius is neither scaled nor shifted; limits count from the machine zero.
 constexpr Row rows[] = {
     {"contour", make_contour}, {"cycles", make_cycles}, {"compensation", make_compensation},

@@ -101,7 +101,7 @@ class Maker final : public TemplateMaker {
         }
     }
 
-    /// `/` is `/1`; there are three (8055 T 2.3).
+    /// `/` is `/1`; there are three (8055 T 2.1.1).
     static void bind_skip_mark(Binding& b, syntax::Index token) {
         const std::uint16_t mark = b.tokens[token].payload;
         if (mark >= 1 && mark <= skip_marks)
@@ -110,7 +110,7 @@ class Maker final : public TemplateMaker {
             b.report(Id::improper_format, token, token + 1u, b.named(token));
     }
 
-    /// A label and a repetition are numbers, never parameters (8055 T 2.3).
+    /// A label and a repetition are numbers, never parameters (8055 T 2.1.1).
     static void bind_count(Binding& b, const program::Word& word, std::optional<std::uint16_t>& slot) {
         if (word.value.kind == program::WordValue::Kind::number)
             slot = word.value.slot;

@@ -56,7 +56,7 @@ std::uint32_t motion_letters(const control::Dialect& dialect);
 program::IsoBlock bind_iso(Binding& b, std::span<const syntax::Item> items);
 /// Order of the codes and of the words that belong to none, e.g. G X Z F S T D M (8055 T 5).
 void check_order(Binding& b, std::span<const syntax::Item* const> items);
-/// Which codes and words may stand in one block (8055 T 9.1).
+/// Which codes and words may stand in one block (8055 T 5.1).
 void check_company(Binding& b, const program::IsoBlock& block);
 /// Whether the codes have the operands that they need, and no other.
 void check_operands(Binding& b, const program::FunctionCall& call);

@@ -1,5 +1,5 @@
 // Sorts the words of an ISO block: codes by what they do, each word to the code that takes it, the rest to motion,
-// feed, speed, tool and offset (8055 T 5, 9.2).
+// feed, speed, tool and offset (8055 T 5).
 #include <array>
 
 #include "frontend/bind/binding.hpp"
@@ -68,7 +68,7 @@ class IsoBinder {
             return;
         }
         if (item.word.value.kind == WordValue::Kind::parameter) return;  // MP1
-        const std::uint16_t number = item.code.value_or(0);              // G alone is G0 (8055 T 2.1)
+        const std::uint16_t number = item.code.value_or(0);              // G alone is G0 (8055 T 2)
         const Construct* construct = b_.dialect.find(letter, number);
         if (!construct && !known_misc(item, number)) {
             owner_[i] = refused;
@@ -81,7 +81,7 @@ class IsoBinder {
         if (construct->takes == Takes::listed) list_operands(*construct, owner_[i]);
     }
 
-    /// An M code needs no row: the machine's table knows it (8055 T 5.5).
+    /// An M code needs no row: the machine's table knows it (8055 T 5.7).
     bool known_misc(const Item& item, std::uint16_t number) {
         const std::uint32_t first = item.word.token, end = item.word.end_token;
         const std::string spelled = item.word.address + std::to_string(number);
@@ -157,7 +157,7 @@ class IsoBinder {
         return owner;
     }
 
-    /// N after another word: how often the block is executed (8055 T 2.4).
+    /// N after another word: how often the block is executed (8055 T 2.1.3).
     void repetition(std::size_t i) {
         const Word& w = items_[i].word;
         if (i + 1 != items_.size()) {

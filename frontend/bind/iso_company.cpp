@@ -1,4 +1,4 @@
-// Which codes and words may stand in one block, and whether codes have the operands that they need (8055 T 9.1).
+// Which codes and words may stand in one block, and whether codes have the operands that they need (8055 T 5.1).
 #include <array>
 
 #include "frontend/bind/binding.hpp"

@@ -11,13 +11,13 @@ using machine::Misc;
 /// All nine letters: a control has at most seven of them (8055 T 3.1), but nobody knows which.
 void set_axes(Machine& m) {
     for (Axis a : all_axes) m.axes[a].exists = true;
-    for (Axis a : {Axis::A, Axis::B, Axis::C}) m.axes[a].rollover = true;  // 8055 T 3.10
+    for (Axis a : {Axis::A, Axis::B, Axis::C}) m.axes[a].rollover = true;  // 8055 T 3.7
     m.axes[Axis::A].type = AxisType::positioning;
     m.axes[Axis::B].type = AxisType::hirth;
     m.axes[Axis::C].type = AxisType::rotary;
 }
 
-/// The M table as the manual recommends it: stops and ends after the motion (8055 T 5.5).
+/// The M table as the manual recommends it: stops and ends after the motion (8055 T 5.7).
 void set_misc(Machine& m) {
     Misc after_motion;
     after_motion.before = false;

@@ -91,7 +91,7 @@ std::span<const Key> policy_keys();
 /// Parameters of the control that change nothing of what a program does; they are kept by name.
 std::span<const std::string_view> other_parameters();
 /// Whether a key is kept by its name: one of those, or a variable by which programs read machine parameters: MPG12,
-/// MPX5, MPS0, MPSS3, MPAS1, MPLC4 (8055 T 11.2.3).
+/// MPX5, MPS0, MPSS3, MPAS1, MPLC4 (8055 T 11.2.4).
 bool is_kept_by_name(std::string_view name);
 
 }  // namespace fagorc::frontend::machine_file

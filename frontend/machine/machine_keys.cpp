@@ -34,7 +34,7 @@ void set_unit(void* owner, double v) {
     machine_of(owner).inches_parameter = static_cast<program::LengthUnit>(v);
 }
 
-/// DFORMAT of X from 4 on means diameters (8055 T 3.6).
+/// DFORMAT of X from 4 on means diameters (8055 T 3.5).
 void set_dformat(void* owner, double v) {
     machine_of(owner).power_on.x = v >= 4 ? program::XWord::diameter : program::XWord::radius;
 }
@@ -143,7 +143,8 @@ constexpr Key policies[] = {
     {"s_over_limit", choice, into<&Machine::policy, &Policies::s_over_limit>, {}, {}, over_limit},
 };
 
-// 8055 T core sheet 11: servo, spindle and transfer data, and ADIMPG, whose bit 10 (G04 K0) the control reads itself.
+// Parameters that change no program: servo, spindle and transfer data, and ADIMPG, whose bit 10 (G04 K0) the control
+// reads itself.
 constexpr std::string_view others[] = {
     "ADIMPG",   "MAXFOVR", "RAPIDOVR", "MINSOVR",  "MAXSOVR",  "SOVRSTEP", "MAXVOLT",  "SPDLSTOP", "SPDLOVR",
     "REFEED1",  "REFEED2", "DECINPUT", "REFDIREC", "GEOMTYPE", "NMISCFUN", "INPOSW",   "INPOSW2",  "LOOKATYP",

@@ -41,7 +41,7 @@ std::optional<std::uint32_t> number_after(char letter, std::string_view name) {
     return n;
 }
 
-/// Row of the zero-offset table that a key of [origins] names: G54..G59 are rows 1..6, N1..N20 all (8055 T 4.5, 4.7).
+/// Row of the zero-offset table that a key of [origins] names: G54..G59 are rows 1..6, N1..N20 all (8055 T 4.4.2).
 std::optional<int> origin_row(std::string_view name) {
     if (const auto g = number_after('G', name); g && *g >= 54 && *g <= 59) return static_cast<int>(*g - 53);
     if (const auto n = number_after('N', name); n && *n >= 1 && *n <= 20) return static_cast<int>(*n);
@@ -260,7 +260,7 @@ std::optional<std::uint16_t> Reader::row_number(std::string_view name, const tom
         return std::nullopt;
     }
     const auto n = number("number", *value, true);
-    // D0 and T0 mean "none" and have no row (8055 T 5.4); M0 has one.
+    // D0 and T0 mean "none" and have no row (8055 T 5.6); M0 has one.
     const control::Range range{.least = name == "m" ? 0.0 : 1.0, .most = most};
     if (!n || !in_range("number", *value, *n, range)) return std::nullopt;
     return static_cast<std::uint16_t>(*n);

@@ -162,7 +162,7 @@ void magazine_row(Row& row, Machine& m, const Machine&) {
     m.tools.try_emplace(t, tool).first->second.pocket = *pocket;
 }
 
-/// G54 X Y Z: X as a radius (8055 T 4.5).
+/// G54 X Y Z: X as a radius (8055 T 4.4.2).
 void origin_row(Row& row, Machine& m, const Machine&) {
     const auto g = row.number('G', 54, 59);
     if (!g) return;

@@ -28,7 +28,7 @@ inline bool goes_on(const char* p, bool point) {
     return digit_value(*p) < 10 || (*p == '.' && !point);
 }
 
-/// Reads digits and a point from `p`; blanks between them mean nothing (8055 T 2.1: `X 3 0` is X30). Sets value,
+/// Reads digits and a point from `p`; blanks between them mean nothing (8055 T 2: `X 3 0` is X30). Sets value,
 /// correctly rounded, and digit counts of `q`, not its place. Returns the place behind the last digit; `p`
 /// where there is no digit. In the header because every word of every block comes through it.
 inline const char* read_quantity(const char* p, bool negative, program::Quantity& q) {

@@ -199,7 +199,7 @@ class Run {
         token(Token::number, from, to);
     }
 
-    /// In an ISO block a sign belongs to the number that follows (8055 T 2.1: M19 S -30).
+    /// In an ISO block a sign belongs to the number that follows (8055 T 2: M19 S -30).
     void sign() {
         const char* digits = depth_ ? p_ : skip_blanks(p_ + 1);
         if (kind(*digits) == Kind::digit) return number(digits, *p_ == '-', p_);
@@ -225,7 +225,7 @@ class Run {
             number(from + 1, true, from);
     }
 
-    /// G or M: the digits name something, so they stay in the key; none are 0 (8055 T 2.1). `GP1` takes them from a
+    /// G or M: the digits name something, so they stay in the key; none are 0 (8055 T 2). `GP1` takes them from a
     /// parameter and stays a letter.
     void code(char c) {
         const char* from = p_;

@@ -33,7 +33,7 @@ class LabelTable {
   public:
     /// Labels are added in the order of the text.
     void add(std::uint32_t label, std::uint32_t line);
-    /// The line of the first block with the label (8055 T 2.3).
+    /// The line of the first block with the label (8055 T 2.1.1).
     std::optional<std::uint32_t> find(std::uint32_t label) const;
 
   private:

@@ -88,7 +88,7 @@ Cursor ProgramText::start() {
     return *start_;
 }
 
-/// Header line, then local subroutines up to the line that starts with `%` (8055 T 2.7).
+/// Header line, then local subroutines up to the line that starts with `%` (8055 T 2.2).
 void ProgramText::read_start() {
     if (start_) return;
     if (text_->reach(0) && line_at(0).starts_with(byte_order_mark)) first_.offset = byte_order_mark.size();
@@ -189,7 +189,7 @@ const Block* ProgramText::decode(Cursor at, Reading& into) {
     return nullptr;
 }
 
-/// A label has its range (8055 T 2.3). It is a number, so no shape can tell.
+/// A label has its range (8055 T 2.1.1). It is a number, so no shape can tell.
 void ProgramText::refuse_label(Reading& reading) const {
     const program::BlockTemplate& shape = *reading.block.shape;
     const double label = reading.block.slots[*shape.label_slot].value;

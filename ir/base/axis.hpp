@@ -13,7 +13,7 @@ enum class Axis : std::uint8_t { X, Y, Z, U, V, W, A, B, C };
 
 inline constexpr std::size_t axis_count = 9;
 
-/// The axes in the order in which a block names them (8055 T 5.6: X Y Z U V W A B C).
+/// The axes in the order in which a block names them (8055 T 5: X Y Z U V W A B C).
 inline constexpr std::array<Axis, axis_count> all_axes = {Axis::X, Axis::Y, Axis::Z, Axis::U, Axis::V,
                                                           Axis::W, Axis::A, Axis::B, Axis::C};
 

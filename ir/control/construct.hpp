@@ -17,7 +17,7 @@ namespace fagorc::control {
 
 enum class Support : std::uint8_t { executed, planned };
 
-/// What else may stand in the block (8055 T 9.1).
+/// What else may stand in the block (8055 T 5.1).
 enum class Company : std::uint8_t {
     any,
     alone,            ///< nothing else in the block: an error

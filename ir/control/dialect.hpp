@@ -56,7 +56,7 @@ struct ParameterRange {
 /// Number format of a class of words: digits before and after the point.
 struct NumberFormat { int integer_digits = 5; int decimals_mm = 4; int decimals_inch = 5; };
 
-/// Limits of the language (8055 T language sheet 11.4, 12.2).
+/// Limits of the language (8055 T 2, 5.7, 11, 12).
 struct Limits {
     int subroutine_levels = 15;
     int parameter_levels = 6;
@@ -66,7 +66,7 @@ struct Limits {
     std::uint32_t label = 99999999;
     std::uint32_t repetitions = 9999;
     std::uint32_t subroutine = 9999;
-    std::size_t local_subroutines = 100;   ///< of a program (8055 T 2.7)
+    std::size_t local_subroutines = 100;   ///< of a program (8055 T 2.2)
     std::uint32_t oem_subroutine_first = 10000, oem_subroutine_last = 20000;
     std::size_t text_length = 59;
     std::size_t block_bytes = 65536;   ///< ours: a longer line is one diagnostic

@@ -11,7 +11,7 @@
 
 namespace fagorc::control {
 
-/// Where the value of a variable comes from (8055 T language sheet 13.2).
+/// Where the value of a variable comes from (derived from what 8055 T 11.2 says of each).
 enum class Knowledge : std::uint8_t {
     program,     ///< the program's own state
     table,       ///< tool, offset, magazine, origin tables

@@ -7,7 +7,7 @@
 namespace fagorc::diag {
 namespace {
 
-/// Words of a program have at most five decimals (8055 T 3.4); what a computation leaves behind them tells nobody
+/// Words of a program have at most five decimals (8055 T 3.3); what a computation leaves behind them tells nobody
 /// anything. Values too small or too large for that form keep their own.
 std::string readable_number(double value) {
     const double size = std::abs(value);

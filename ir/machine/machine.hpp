@@ -42,7 +42,7 @@ struct Tool {
     double insert_angle = 0, insert_width = 0, cutting_angle = 0;   ///< NOSEA degrees, NOSEW mm, CUTA degrees
 };
 
-/// A row of the M table (8055 T 5.5).
+/// A row of the M table (8055 T 5.7).
 struct Misc {
     std::optional<std::uint32_t> subroutine;
     bool before = true;              ///< before the motion of its block
@@ -51,7 +51,7 @@ struct Misc {
     bool waits_aux_end = true;
 };
 
-/// What the manuals leave open, by name; each default is the specification sheet's proposal.
+/// What the manuals leave open, by name; docs/machine-file.md lists the choices.
 struct Policies {
     int compmode = 0, comptype = 0;
     enum class WearX : std::uint8_t { diameter, radius } wear_x = WearX::diameter;
@@ -88,7 +88,7 @@ struct Machine {
     bool compensation_in_all_planes = true;   ///< PLACOMP
     bool c_axis_kept_after_end = false;       ///< PERCAX
     double live_tool_max_rpm = 6000;          ///< MAXSPEED of the auxiliary spindle
-    Axis inclined = Axis::X, orthogonal = Axis::Z;   ///< ANGAXNA, ORTAXNA of G46 (8055 T 6.18)
+    Axis inclined = Axis::X, orthogonal = Axis::Z;   ///< ANGAXNA, ORTAXNA of G46 (8055 T 13)
     double inclined_angle = 30;               ///< degrees from the inclined axis's normal position towards +orthogonal
     int free_analog_outputs = 4;     ///< ANAO1 .. ANAOn; the others drive axes and spindles
     int m19_type = 1;

@@ -44,7 +44,7 @@ struct Event {
     double value = 0;
 };
 
-/// A stop of block preparation: nothing crosses it, look-ahead and compensation end there (8055 T 7.1, language 3.1).
+/// A stop of block preparation: nothing crosses it, look-ahead and compensation end there (8055 T 7.1, 11.2).
 struct Barrier {
     enum class Why : std::uint8_t { preparation, live, position } why = Why::preparation;
 };

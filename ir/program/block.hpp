@@ -29,7 +29,7 @@ constexpr bool depends_on_text(diag::Id id) {
 
 /// What all blocks of one shape have in common.
 struct BlockTemplate {
-    std::uint8_t skip_marks = 0;                 ///< bit 0..2: marks 1..3 (8055 T 2.3)
+    std::uint8_t skip_marks = 0;                 ///< bit 0..2: marks 1..3 (8055 T 2.1.1)
     std::optional<std::uint16_t> label_slot;     ///< N at the start
     std::optional<std::uint16_t> repeat_slot;    ///< N at the end
     std::uint16_t repeat_token = 0;

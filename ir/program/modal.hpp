@@ -1,4 +1,4 @@
-// The modal state of a control, in neutral terms (8055 T 9.1: one field a modal group).
+// The modal state of a control, in neutral terms (8055 T 5.1: one field a modal group).
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ enum class Spindle : std::uint8_t { main, second };
 enum class Corner : std::uint8_t { round, square, controlled, look_ahead };  ///< G05 G07 G50 G51
 enum class Side : std::uint8_t { off, left, right };                ///< G40 G41 G42
 
-/// Settings of the groups. A block changes them before any of its words is interpreted (8055 T 9.2 A4).
+/// Settings of the groups. A block changes them before any of its words is interpreted (docs/order.md, step 4).
 struct Modal {
     Motion motion = Motion::rapid;
     PlaneCode plane_code = PlaneCode::zx;

@@ -39,7 +39,7 @@ class Program {
 
     /// The first block of the text, behind the header line.
     virtual Cursor first() = 0;
-    /// Where execution starts: after the header, and after the local subroutines and their `%` mark (8055 T 2.7).
+    /// Where execution starts: after the header, and after the local subroutines and their `%` mark (8055 T 2.2).
     virtual Cursor start() = 0;
     /// The block at a cursor; null at the end of the text. It stays until the next read: no other question moves it.
     virtual const Block* read(Cursor at) = 0;
@@ -47,7 +47,7 @@ class Program {
     /// which `out` has been told at the place of the original block.
     virtual const Block* rebind(const Block& original, std::string_view text, diag::Sink& out) = 0;
 
-    /// The first block with this label; nothing where there is none (8055 T 2.3).
+    /// The first block with this label; nothing where there is none (8055 T 2.1.1).
     virtual std::optional<Cursor> label(std::uint32_t number) = 0;
     virtual const Subroutine* subroutine(std::uint32_t number, bool local) = 0;
 

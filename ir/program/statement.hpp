@@ -45,7 +45,7 @@ struct FunctionCall {
     WordRun words;
 };
 
-/// An ISO block, sorted by what the executor does with it (order: 8055 T 9.2 A).
+/// An ISO block, sorted by what the executor does with it (docs/order.md).
 struct IsoBlock {
     std::vector<FunctionCall> modal;      ///< settings of modal groups, in the order written
     std::vector<FunctionCall> functions;  ///< functions with operands of their own (G92, G04 K, G36 R ...)

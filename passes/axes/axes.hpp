@@ -1,4 +1,4 @@
-// Axes: programmed coordinates become machine coordinates (8055 T 9.2 B 7-10).
+// Axes: programmed coordinates become machine coordinates (docs/order.md: the path).
 #pragma once
 
 #include <memory>

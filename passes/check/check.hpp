@@ -1,4 +1,4 @@
-// Check: what the machine cannot or must not do is found before it moves (8055 T 9.2 B).
+// Check: what the machine cannot or must not do is found before it moves (docs/order.md: the path).
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// Operators on the 32 bits of a number: NOT AND OR XOR, BCD, BIN (8055 T 11.4, language sheet 5.1 and 5.4).
+// Operators on the 32 bits of a number: NOT AND OR XOR, BCD, BIN (8055 T 11.4).
 // Between conditions (`logical`) the same operators are logical with 1 and 0. An unknown operand gives an unknown
 // result, but where the other one decides: 0 AND anything is 0.
 #pragma once

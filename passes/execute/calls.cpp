@@ -1,4 +1,4 @@
-// Jumps, calls and repetitions (8055 T 12.4, 12.5; language sheet 12).
+// Jumps, calls and repetitions (8055 T 12.4, 12.5).
 #include <algorithm>
 
 #include "passes/execute/executor.hpp"
@@ -146,7 +146,7 @@ void Executor::run(const program::Repeat& repeat) {
 
 // ---------------------------------------------------------------- subroutines
 
-/// Nothing runs into a subroutine: it stands behind the end of the main part (8055 T 12.5; core sheet 2.7).
+/// Nothing runs into a subroutine: it stands behind the end of the main part (8055 T 2.2, 12.5).
 void Executor::run(const program::SubroutineBegin& begin) {
     refuse(begin.local ? Id::local_subroutine_after_start : Id::subroutine_in_main_part);
 }
@@ -157,7 +157,7 @@ void Executor::run(const program::Return&) {
     next_run();
 }
 
-/// Local subroutines are those of the root program only, and come before global ones (8055 T 2.7, language sheet 12.4).
+/// Local subroutines are those of the root program only, and come before global ones (8055 T 2.2).
 Executor::Found Executor::find(std::uint32_t number, program::Call::Kind kind) {
     using Kind = program::Call::Kind;
     if (kind != Kind::by_g_code)
@@ -187,7 +187,7 @@ void Executor::run(const program::Call& c) {
     call(found, level ? &arguments : nullptr, runs(), c.kind == Kind::modal);
 }
 
-/// Evaluates arguments in the caller's level; globals among them are assigned at once (language sheet 6.9).
+/// Evaluates arguments in the caller's level; globals among them are assigned at once (8055 T 12.5).
 bool Executor::take_arguments(const std::vector<program::Assignment>& list, Arguments& out) {
     for (const program::Assignment& a : list) {
         const program::Target& t = a.target;
@@ -219,7 +219,7 @@ void Executor::call(const Found& found, const Arguments* arguments, std::uint32_
     for (std::uint32_t n = 0; n < Parameters::local_count; ++n) *session_.parameters.find(n) = arguments->value[n];
 }
 
-/// The subroutine of an M or T function, or of G74: like CALL (8055 T 5.5).
+/// The subroutine of an M or T function, or of G74: like CALL (8055 T 5.7).
 void Executor::call_function(std::uint32_t number) {
     const Found found = find(number, program::Call::Kind::by_g_code);
     if (!found.subroutine) return session_.report_block(Id::subroutine_undefined, number);

@@ -1,4 +1,4 @@
-// Runs a program as the control would and pushes the operations that it makes (8055 T 9.2, language sheet 12).
+// Runs a program as the control would and pushes the operations that it makes (8055 T 5, 12; docs/order.md).
 #pragma once
 
 #include <cstdint>

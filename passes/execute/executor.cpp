@@ -73,8 +73,8 @@ bool Executor::begin() {
     return !library && !session_.failed;
 }
 
-/// A file that begins with a SUB and ends with a RET defines subroutines and has no main part (8055-core 15). Its
-/// blocks are checked here, not executed.
+/// A file that begins with a SUB and ends with a RET defines subroutines and has no main part (ours: the manual knows
+/// none). Its blocks are checked here, not executed.
 bool Executor::holds_only_subroutines() {
     bool first = true, ends_with_return = false;
     for (program::Cursor at = next_; const program::Block* block = root_.read(at); at = block->next) {
@@ -114,7 +114,7 @@ void Executor::refuel() {
 void Executor::step(const program::Block& block) {
     const program::BlockTemplate& shape = *block.shape;
     report_findings(block);
-    if (shape.skip_marks & session_.options.skip_marks) return;  // a skipped block changes nothing (8055 T 2.3)
+    if (shape.skip_marks & session_.options.skip_marks) return;  // a skipped block changes nothing (8055 T 2.1.1)
     if (shape.broken) {
         session_.failed = true;
         return;
@@ -133,7 +133,7 @@ void Executor::report_findings(const program::Block& block) {
         session_.failed = true;
 }
 
-/// RPT, CALL, PCALL and LL may be repeated, no other statement (8055 T 2.4; core sheet 2.4).
+/// RPT, CALL, PCALL and LL may be repeated, no other statement (8055 T 2.1.3, 12.4, 12.5).
 bool Executor::repeats(const program::Statement& statement) const {
     if (std::holds_alternative<program::Repeat>(statement.what)) return true;
     const auto* call = std::get_if<program::Call>(&statement.what);
@@ -160,7 +160,7 @@ std::uint32_t Executor::runs() const {
 void Executor::iso_block(const program::Block& block) {
     const program::IsoBlock* iso = &std::get<program::IsoBlock>(block.shape->body);
     if (block.shape->by_parameter && !(iso = bind_parameters(block))) return;
-    // Only what moves under a modal call is executed N times (8055 T 2.4).
+    // Only what moves under a modal call is executed N times (8055 T 2.1.3).
     if (!may_repeat(modal_ && iso->has_axis)) return;
 
     const IsoRunner::Outcome outcome = iso_.run(*iso);
@@ -171,7 +171,7 @@ void Executor::iso_block(const program::Block& block) {
     if (outcome.moved && modal_ && !modal_rests()) call_modal();
 }
 
-/// `GP1`: the block is read again with the value in place of the parameter (8055 T 2.2).
+/// `GP1`: the block is read again with the value in place of the parameter (8055 T 2).
 const program::IsoBlock* Executor::bind_parameters(const program::Block& block) {
     const auto tokens = session_.program->tokens(block);
     std::string text;
@@ -221,7 +221,7 @@ void Executor::end_of_text() {
     ended_ = true;
 }
 
-/// M30 or M02: of a program that EXEC started it goes back without the general reset (language sheet 6.13).
+/// M30 or M02: of a program that EXEC started it goes back without the general reset (8055 T 12.8 leaves it open).
 void Executor::end_of_program() {
     if (!in_executed_program()) return complete();
     while (frames_.back().kind != Frame::Kind::program) leave();

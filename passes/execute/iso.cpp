@@ -71,7 +71,7 @@ IsoRunner::Control::Control(Session& s) : session(s) {
     now.at.frame = s.tables.frames.intern({offsets.total(), false});
 }
 
-/// Gives each modal group its power-on setting; what survives M30 stays (8055 T 9.1).
+/// Gives each modal group its power-on setting; what survives M30 stays (8055 T 5.1).
 void IsoRunner::Control::power_on() {
     state.modal = session.machine.power_on;
     state.turn = operation::SpindleTurn::stopped;

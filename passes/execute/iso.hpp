@@ -1,4 +1,4 @@
-// Executes ISO blocks: modal state, words, functions, motion (8055 T 9.2, order A 4-9 and B 1-4).
+// Executes ISO blocks: modal state, words, functions, motion (docs/order.md).
 #pragma once
 
 #include <cstdint>
@@ -24,11 +24,11 @@ class IsoRunner {
     Outcome run(const program::IsoBlock& block);
 
     /// The subroutine that an outcome asked for has returned: an M function that waits for it is sent now. Until then
-    /// the same function is executed without calling it again (8055 T 5.5). Answers the next subroutine of the same
+    /// the same function is executed without calling it again (8055 T 5.7). Answers the next subroutine of the same
     /// block, if there is one (T and M06 that have one each).
     std::optional<std::uint32_t> subroutine_ended();
 
-    /// The general reset of M02, M30 (8055 T 9.1).
+    /// The general reset of M02, M30 (8055 T 5.7.3, 5.7.4).
     void reset();
 
     /// The modal state in force, e.g. the unit in which table variables are read and written.

@@ -1,5 +1,5 @@
-// The control as ISO blocks see it: the steps of a block in the order of 8055 T 9.2, on what it keeps (IsoState). Its
-// members are defined by subject: iso.cpp, iso_words, iso_functions, iso_motion, iso_arc, iso_technology, iso_misc,
+// The control as ISO blocks see it: the steps of a block in the order of docs/order.md, on what it keeps (IsoState).
+// Its members are defined by subject: iso.cpp, iso_words, iso_functions, iso_motion, iso_arc, iso_technology, iso_misc,
 // iso_variables.
 #pragma once
 
@@ -18,7 +18,7 @@ struct IsoRunner::Control : IsoState {
 
     // -- the order of a block (iso.cpp)
     Outcome run(const program::IsoBlock& block);
-    /// The state after power-on, except position, tool and offsets (8055 T 9.1).
+    /// The state after power-on, except position, tool and offsets (8055 T 5.1).
     void power_on();
     void reset();
     std::optional<std::uint32_t> subroutine_ended();

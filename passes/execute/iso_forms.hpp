@@ -20,7 +20,7 @@ struct PathEnd {
     bool known = false;
 };
 
-/// Polar origin in part coordinates, and the polar coordinates of the last point that was given by them (8055 T 3.8).
+/// Polar origin in part coordinates, and the polar coordinates of the last point that was given by them (8055 T 3.6.2).
 struct PolarFrame {
     Point origin, at;
     double radius = 0, angle = 0;
@@ -57,7 +57,7 @@ struct MotionWords {
     const program::Word* polar = nullptr;  ///< the first R or Q, to be marked
 };
 
-/// How an axis goes to its coordinate (8055 T 3.10).
+/// How an axis goes to its coordinate (8055 T 3.7).
 enum class AxisWay : std::uint8_t {
     missing,   ///< the machine does not have it
     straight,  ///< to the coordinate: linear, or rotary without rollover

@@ -1,5 +1,5 @@
-// What the G codes of a block do: settings of modal groups and the functions that act by themselves (8055 T 9.2 A4,
-// A5).
+// What the G codes of a block do: settings of modal groups and the functions that act by themselves
+// (docs/order.md, steps 4 and 5).
 #include <cmath>
 #include <type_traits>
 
@@ -128,7 +128,7 @@ void IsoRunner::Control::set_group(const FunctionCall& call) {
         form_used = true;
     }
     if (row.group == Group::speed && m.speed == program::SpeedMode::rpm && before.speed != m.speed)
-        speeds[0] = surface_rpm();  // without S the present speed is kept (8055 T 5.2)
+        speeds[0] = surface_rpm();  // without S the present speed is kept (8055 T 5.3)
     technology_changed();
 }
 
@@ -254,7 +254,7 @@ void IsoRunner::Control::origin_changed(const PerAxis<double>& before) {
         now.others[a] += before[a] - zero[a];
         programmed[a] += before[a] - zero[a];
     }
-    // A polar origin keeps its place on the machine (8055 T 3.8).
+    // A polar origin keeps its place on the machine (8055 T 3.6.2).
     const Plane p = state.modal.plane;
     if (polar.placed) polar.origin = polar.origin + Point{before[p.u] - zero[p.u], before[p.v] - zero[p.v]};
     now.at.frame = session.tables.frames.intern({zero, false});

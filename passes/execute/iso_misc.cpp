@@ -1,4 +1,4 @@
-// M functions by the machine's table: before or after the motion, with their subroutines (8055 T 5.5).
+// M functions by the machine's table: before or after the motion, with their subroutines (8055 T 5.7).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using program::FunctionCall;
 
 namespace {
 
-/// Stops and ends come after the motion where the machine's table does not say otherwise (8055 T 9.2 A9).
+/// Stops and ends come after the motion where the machine's table does not say otherwise (8055 T 5.7).
 bool ends_its_block(const program::Function& f) {
     const auto* spindle = std::get_if<program::SpindleCommand>(&f);
     return std::holds_alternative<program::ProgramEnd>(f) || std::holds_alternative<program::ProgramStop>(f) ||
@@ -73,7 +73,7 @@ void IsoRunner::Control::one_misc(const program::IsoBlock& block, const Function
     if (known && table->second.stops) emit(operation::Barrier{operation::Barrier::Why::preparation});
 }
 
-/// An M with a subroutine is alone; T may stand with the tool change (8055 T 5.4, 5.5).
+/// An M with a subroutine is alone; T may stand with the tool change (8055 T 5.6, 5.7).
 bool IsoRunner::Control::misc_company(const program::IsoBlock& block, const FunctionCall& call) {
     const auto table = session.machine.misc.find(call.number);
     if (table == session.machine.misc.end() || !table->second.subroutine || in_subroutine_of(call.number)) return true;

@@ -1,5 +1,5 @@
-// Straight moves and threads: cartesian, polar, angle and one coordinate, rotary axes (8055 T 3.5
-// to 3.10, 6.1, 6.2, 6.12).
+// Straight moves and threads: cartesian, polar, angle and one coordinate, rotary axes (8055 T 3.4
+// to 3.7, 6.1, 6.2, 6.12).
 #include <algorithm>
 #include <cmath>
 
@@ -96,7 +96,7 @@ void IsoRunner::Control::emit_line(Point start, AxisSet moved) {
     now.moved = moved;
     const Point end = plane_point();
     const double feed = now.at.feed;
-    // Rotary axes alone turn at degrees a minute, also under G70 (8055 T 5.1).
+    // Rotary axes alone turn at degrees a minute, also under G70 (8055 T 5.2).
     if (end == start && unit != 1 && !moved.empty() && (moved.bits & linear_axes) == 0) now.at.feed = feed / unit;
     auto& line = make<operation::Line>();
     line.end = end;
@@ -207,7 +207,7 @@ double IsoRunner::Control::rotary_destination(Axis a, double v, const Word& word
     return v * scale[a];
 }
 
-/// One Hirth axis in a block, one positioning axis in a G01 block (8055 T 3.10, 6.2).
+/// One Hirth axis in a block, one positioning axis in a G01 block (8055 T 3.7, 6.2).
 bool IsoRunner::Control::positioning_rules(const MotionWords& words) {
     if ((words.axes & hirth_axes).several()) {
         session.report_block(diag::Id::two_hirth_axes);
@@ -252,7 +252,7 @@ void IsoRunner::Control::line(const MotionWords& words) {
     emit_line(start, moved);
 }
 
-/// R and Q about the polar origin; one that is missing stays as it is (8055 T 3.8).
+/// R and Q about the polar origin; one that is missing stays as it is (8055 T 3.6.2).
 std::optional<Point> IsoRunner::Control::polar_end(const MotionWords& words) {
     const Point here{programmed[state.modal.plane.u], programmed[state.modal.plane.v]};
     double radius = polar.radius, angle = polar.angle;
@@ -284,7 +284,7 @@ std::optional<Point> IsoRunner::Control::polar_end(const MotionWords& words) {
     return end;
 }
 
-/// Q is the absolute angle of the path with the abscissa, one coordinate says where it ends (8055 T 3.9).
+/// Q is the absolute angle of the path with the abscissa, one coordinate says where it ends (8055 T 3.6.3).
 std::optional<Point> IsoRunner::Control::angle_end(const MotionWords& words) {
     const Plane plane = state.modal.plane;
     const Point start = plane_point(), d = direction(*words.angle);

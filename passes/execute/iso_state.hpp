@@ -26,7 +26,7 @@ struct IsoState {
 
     // -- position: now.others holds the tip of every axis in part coordinates, also of the plane's
     operation::Operation now;      ///< the operation to come; fields change in place
-    PerAxis<double> programmed{};  ///< from where increments count (8055 T 3.5)
+    PerAxis<double> programmed{};  ///< from where increments count (8055 T 3.4)
     PerAxis<double> target{};      ///< of the words of the block at hand
 
     // -- F and S by their modes; feeds in mm/min, mm/rev, 1/min, speeds in rpm, m/min
@@ -60,7 +60,7 @@ struct IsoState {
     std::uint8_t most_decimals = 4;
     PerAxis<double> scale{};  ///< mm, X as a radius, or degrees of one unit of an axis word
     PerAxis<AxisWay> way{};
-    AxisSet hirth_axes, positioning_axes;  ///< that only position; Hirth axes are such too (8055 T 3.10)
+    AxisSet hirth_axes, positioning_axes;  ///< that only position; Hirth axes are such too (8055 T 3.7)
 
     /// The operands of a motion code by letter, looked up once.
     struct Spelling {

@@ -1,4 +1,4 @@
-// F, S, T and D: feed, spindle speed and its limits, tool and offset (8055 T 5.1 to 5.4, 8.1).
+// F, S, T and D: feed, spindle speed and its limits, tool and offset (8055 T 5.2 to 5.6, 8.1).
 #include <algorithm>
 #include <cmath>
 
@@ -48,14 +48,14 @@ void IsoRunner::Control::set_speed(const Word& word) {
     technology_changed();
 }
 
-/// G96 takes the S of its block or the last one under G96 (8055 T 5.2).
+/// G96 takes the S of its block or the last one under G96 (8055 T 5.3).
 bool IsoRunner::Control::surface_speed_known() {
     if (speeds[static_cast<std::size_t>(SpeedMode::constant_surface)]) return true;
     session.report(diag::Id::surface_speed_missing, form.surface->token, form.surface->token + 1u);
     return false;
 }
 
-/// Checks S against G92 S and the gear, after the gear of the same block is in (8055 T 4.4, 5.2, 5.5).
+/// Checks S against G92 S and the gear, after the gear of the same block is in (8055 T 4.4.1, 5.3, 5.7).
 bool IsoRunner::Control::speed_within_limits(const program::IsoBlock& block) {
     const Word& word = *block.speed;
     if (state.modal.speed != SpeedMode::rpm) return true;
@@ -83,7 +83,7 @@ bool IsoRunner::Control::speed_within_limits(const program::IsoBlock& block) {
     return true;
 }
 
-/// The gear that S needs: its M is sent as if it had been programmed (8055 T 5.5).
+/// The gear that S needs: its M is sent as if it had been programmed (8055 T 5.7).
 bool IsoRunner::Control::change_gear(const program::IsoBlock& block, std::uint8_t gear) {
     const control::Construct* row = gear_row(gear);
     if (row == nullptr) return true;
@@ -107,7 +107,7 @@ bool IsoRunner::Control::change_gear(const program::IsoBlock& block, std::uint8_
     return true;
 }
 
-/// The spindle speed that constant surface speed gives at the present place, rpm (8055 T 5.2).
+/// The spindle speed that constant surface speed gives at the present place, rpm (8055 T 5.3).
 double IsoRunner::Control::surface_rpm() const {
     const double speed = speeds[static_cast<std::size_t>(SpeedMode::constant_surface)].value_or(0);
     double most = session.machine.gear_rpm[state.gear - 1u];
@@ -116,7 +116,7 @@ double IsoRunner::Control::surface_rpm() const {
     return diameter > 0 ? std::min(most, mm_per_metre * speed / (std::numbers::pi * diameter)) : speed > 0 ? most : 0;
 }
 
-/// F and S for a move at the feed; a move at F0 runs at the highest feed (8055 T 5.1).
+/// F and S for a move at the feed; a move at F0 runs at the highest feed (8055 T 5.2).
 bool IsoRunner::Control::cutting_allowed() {
     using program::Motion;
     const program::Modal& m = state.modal;
@@ -144,7 +144,7 @@ std::optional<std::uint16_t> IsoRunner::Control::offset_of(std::uint16_t tool) c
     return m.tool_takes_own_offset ? tool : m.default_tool.offset;
 }
 
-/// T takes its offset from the tool table, D another one; both hold for the motion of their block (8055 T 5.4).
+/// T takes its offset from the tool table, D another one; both hold for the motion of their block (8055 T 5.6).
 void IsoRunner::Control::tool_words(const program::IsoBlock& block) {
     std::optional<std::uint32_t> tool, offset;
     if (block.tool && !(tool = whole(*block.tool))) return;

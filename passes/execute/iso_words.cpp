@@ -1,4 +1,4 @@
-// Values of ISO words: parameters, formats, units, X as a diameter (8055 T 2.1, 3.4, 3.6).
+// Values of ISO words: parameters, formats, units, X as a diameter (8055 T 2, 3.3, 3.5).
 #include <cmath>
 
 #include "passes/execute/iso_control.hpp"
@@ -12,7 +12,7 @@ using program::WordValue;
 namespace {
 
 constexpr double mm_per_inch = 25.4;
-/// Words go to 99999.9999 mm and degrees, 3937.00787 inches (8055 T 2.1).
+/// Words go to 99999.9999 mm and degrees, 3937.00787 inches (8055 T 2).
 constexpr double limit_mm = 1e5, limit_inch = 3937.007875;
 /// Centres and radii of arcs have one digit more.
 constexpr double digits_of_centre = 10;

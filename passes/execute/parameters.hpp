@@ -1,4 +1,4 @@
-// The arithmetic parameters: six levels of locals and the globals (8055 T 11.2.1, language sheet 2 and 12.1).
+// The arithmetic parameters: six levels of locals and the globals (8055 T 11.2.1, 12.5).
 #pragma once
 
 #include <array>

@@ -10,7 +10,7 @@
 namespace fagorc::passes {
 
 /// A program that holds a screen statement is a customisation program when no block of it has an axis word, M30 or M02
-/// (language sheet 6.15). Reads the program: the session's block must be read again.
+/// (the manual gives no mark, this is ours). Reads the program: the session's block must be read again.
 bool is_customisation(program::Program& program);
 
 /// Checks the blocks of a customisation program one after the other: no local parameters, constants of the screen

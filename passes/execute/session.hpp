@@ -14,12 +14,12 @@
 
 namespace fagorc::passes {
 
-/// An unknown value: only `check` computes with it (8055-core 15); it goes through every operation as NaN does.
+/// An unknown value: only `check` computes with it; it goes through every operation as NaN does.
 inline constexpr double unknown_value = std::numeric_limits<double>::quiet_NaN();
 inline bool is_unknown(double v) { return std::isnan(v); }
 
 /// How far a computed number may be from the whole number that it stands for: P(expression), N(expression), indices.
-/// SIN 180 is 1e-16, not 0, in any arithmetic (language sheet 2).
+/// SIN 180 is 1e-16, not 0, in any arithmetic.
 inline constexpr double index_tolerance = 1e-3;
 
 /// One execution: what it reads, where it is, where its results go.

@@ -1,4 +1,4 @@
-// Texts with parameters in them: MSG, ERROR and WRITE (8055 T 12.2, 12.8; language sheet 6.3, 6.14).
+// Texts with parameters in them: MSG, ERROR and WRITE (8055 T 12.2, 12.8).
 #pragma once
 
 #include <functional>

@@ -69,7 +69,7 @@ std::optional<Variables::Access> Variables::open(std::uint16_t payload, std::opt
         return std::nullopt;
     }
     if (index && !check_index(a, *index, token)) return std::nullopt;
-    // A real value is taken when everything before it has happened (8055 T 11.2, language sheet 3.1).
+    // A real value is taken when everything before it has happened (8055 T 11.2).
     if (a.row->stops_preparation) iso_.push_barrier(operation::Barrier::Why::live);
     return a;
 }
@@ -200,7 +200,7 @@ double Variables::position(std::uint16_t payload, double label, double program, 
         session_.report(Id::position_target_missing, token, token + 1, label, program);
         return unknown_value;
     }
-    // The block is looked at beside the one that is executed, as it is written: no G91, no unit (language sheet 3.7).
+    // The block is looked at beside the one that is executed, as it is written: no G91, no unit (8055 T 11.2.7).
     const std::string_view rest = in->text().substr(at->offset);
     const program::Block* block =
         in->rebind(*session_.block, rest.substr(0, rest.find_first_of("\r\n")), session_.diagnostics);

@@ -1,4 +1,4 @@
-// The zero offsets in force: an absolute and an incremental part for each axis (8055 T 4.4 to 4.7).
+// The zero offsets in force: an absolute and an incremental part for each axis (8055 T 4.4.1 to 4.4.2).
 #pragma once
 
 #include <cstdint>

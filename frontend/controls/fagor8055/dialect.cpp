@@ -30,7 +30,7 @@ const control::Dialect& dialect() {
         .words = words(),
         .parameters = parameters,
         .limits = {},     // the defaults are those of this control
-        .power_on = {}};  // G00 G18 G71 G90 G94 G97 G151 G05 G40: the machine file may say otherwise (8055 T 9.1)
+        .power_on = {}};  // G00 G18 G71 G90 G94 G97 G151 G05 G40: the machine file may say otherwise (8055 T 5.1)
     return fagor_8055;
 }
 

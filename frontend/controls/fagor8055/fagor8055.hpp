@@ -16,7 +16,7 @@ std::span<const control::Construct* const> constructs();
 std::span<const control::SisterCode> mill_codes();
 /// Its statements and variables that this model has not.
 std::span<const control::SisterWord> mill_words();
-/// Keywords, functions and relations of the high-level language (language sheet 1.2).
+/// Keywords, functions and relations of the high-level language (8055 T 11.1).
 std::span<const control::ReservedWord> words();
 /// Variables, from variables.tsv.
 std::span<const control::Variable> variables();

@@ -46,7 +46,7 @@ TEST(Csv, PartFrameSubtractsTheActiveOffset) {
                   "2,line,0.000000,0.000000,,,200.000000,mm/min,,C=90.000000\n");
 }
 
-// 8055 T 5.1: F0 is MAXFEED. No axis may exceed its own, so the smallest of those that move is the feed, whatever the
+// 8055 T 5.2: F0 is MAXFEED. No axis may exceed its own, so the smallest of those that move is the feed, whatever the
 // mode.
 TEST(Csv, AFeedOfZeroIsTheHighestOfTheAxesThatMove) {
     Stream s;

@@ -1,4 +1,4 @@
-// What is wrong with a block: the finding, the tokens that it marks, the control's number (language sheet 9, core sheet 10).
+// What is wrong with a block: the finding, the tokens that it marks, the control's number.
 #include <gtest/gtest.h>
 
 #include "ir/diag/catalogue.hpp"

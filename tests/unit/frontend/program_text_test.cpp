@@ -115,7 +115,7 @@ TEST(ProgramText, TheEndOfTapeSignEndsTheText) {
     EXPECT_EQ(Bench("X1\n%\nX2").in_line(), (Blocks{"X1", "%", "X2"}));  // no end: the grammar refuses it
 }
 
-// 8055 T 2.7: local subroutines, then a line that begins with %, then the main part.
+// 8055 T 2.2: local subroutines, then a line that begins with %, then the main part.
 TEST(ProgramText, TheMainPartBeginsBehindTheMark) {
     Bench b("%P,MX,\n; locals\n(LSUB 3)\nX1\n(RET)\n% main\nX2\n(SUB 4)\n(RET)\n");
     EXPECT_EQ(b.program.start().line, 7u);
@@ -215,7 +215,7 @@ TEST(ProgramText, ABlockBeyondTheLimitIsOneFindingAndTheNextIsRead) {
     EXPECT_EQ(b.program.read(block->next)->text, "X2");
 }
 
-// 8055 T 2.3: 0..99999999.
+// 8055 T 2.1.1: 0..99999999.
 TEST(ProgramText, LabelsHaveARange) {
     Bench b("N99999999 X1\nN100000000 X2\nN-5 X3\nN1e30\n");
     b.program.check_unread(b.found);

@@ -1,4 +1,4 @@
-// Reading numbers: correctly rounded, blanks without meaning, digits counted for format checks (8055 T 2.1, 11.3).
+// Reading numbers: correctly rounded, blanks without meaning, digits counted for format checks (8055 T 2, 11.3).
 #include "frontend/scan/quantity.hpp"
 
 #include <gtest/gtest.h>

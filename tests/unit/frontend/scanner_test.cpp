@@ -1,4 +1,4 @@
-// The lexical rules of the 8055 T: language sheet 1.1 to 1.9 and 11.5, core sheet 2.1 to 2.4.
+// The lexical rules of the 8055 T (2, 2.1, 11.1 to 11.3).
 #include "frontend/scan/scanner.hpp"
 
 #include <gtest/gtest.h>

@@ -54,7 +54,7 @@ struct EmptyLibrary : program::Library {
     void close() override {}
 };
 
-/// The lathe of the specification's sweeps: all nine axes, 99 tools, no limits (8055-core 15).
+/// The lathe of the specification's sweeps: all nine axes, 99 tools, no limits.
 machine::Machine sweep_lathe();
 
 /// A runner on a machine.

@@ -1,4 +1,4 @@
-// Functions that act by themselves, and what survives the end of a program (8055 T 3.4 to 4.9, 7.1 to 7.4, 9.1).
+// Functions that act by themselves, and what survives the end of a program (8055 T 3.3 to 4.5, 5.1, 7.1 to 7.4).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ std::string alarm_of(std::string_view blocks) {
 
 machine::Machine with_origins() {
     machine::Machine m = sweep_lathe();
-    m.origins[1][Axis::Z] = 330;  // the table of 8055 T 4.5
+    m.origins[1][Axis::Z] = 330;  // the table of 8055 T 4.4.2
     m.origins[2][Axis::Z] = 240;
     m.origins[5][Axis::Z] = -90;
     m.origins[6][Axis::Z] = -180;
@@ -57,7 +57,7 @@ TEST(IsoFunctions, OffsetByValuesTakesXAsAWord) {
 }
 
 TEST(IsoFunctions, PresetOfTheManual) {
-    // 8055 T 4.4: P0 becomes the part zero, then increments.
+    // 8055 T 4.4.1: P0 becomes the part zero, then increments.
     IsoBench b;
     b.run("G18 G152 G01 F100\nG90 X0 Z200\nG92 X0 Z0\nG91 X30 Z-30\nZ-30\nX20\nX20 Z-40\nZ-40");
     EXPECT_EQ(b.last<Line>().end, (Point{-140, 70}));

@@ -40,7 +40,7 @@ TEST(IsoMotion, AbsoluteCoordinatesAndDiameters) {
 TEST(IsoMotion, IncrementsAreDiameterIncrements) {
     IsoBench b;
     b.run("G90 G00 X200 Z60\nG91 G01 X-40 F100");
-    expect_end(b, 60, 80);  // 8055 T 3.5: from X200 to X160
+    expect_end(b, 60, 80);  // 8055 T 3.4: from X200 to X160
     b.run("G152 X5 Z-10");
     expect_end(b, 50, 85);
 }
@@ -79,7 +79,7 @@ TEST(IsoMotion, OtherPlanes) {
 }
 
 TEST(IsoMotion, PolarWordsAboutTheOrigin) {
-    // 8055 T 3.8 example: R430 Q0, R340 Q45; then increments R-90 Q45.
+    // 8055 T 3.6.2 example: R430 Q0, R340 Q45; then increments R-90 Q45.
     IsoBench b;
     b.run("G18 G152 G90 G01 R430 Q0 F100");
     expect_end(b, 430, 0);
@@ -122,7 +122,7 @@ TEST(IsoMotion, PolarWithAThirdAxis) {
 }
 
 TEST(IsoMotion, AngleAndOneCoordinate) {
-    // The drawing of 8055 T 3.9: Q149 from (Z160, Xr30) to Z110 ends at Xr 60.0430.
+    // The drawing of 8055 T 3.6.3: Q149 from (Z160, Xr30) to Z110 ends at Xr 60.0430.
     IsoBench b;
     b.run("G152\nG18 G90 G01 X30 Z160 F100\nQ149 Z110");
     EXPECT_NEAR(b.last<Line>().end.u, 110, 1e-12);

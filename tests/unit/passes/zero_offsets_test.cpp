@@ -1,4 +1,4 @@
-// The interplay of G54..G59, G158, G159, G92 and G53 as the manual's tables of offsets tell it (8055 T 4.4 to 4.7).
+// The interplay of G54..G59, G158, G159, G92 and G53 as the manual's tables of offsets tell it (8055 T 4.4.1 to 4.4.2).
 #include "passes/execute/zero_offsets.hpp"
 
 #include <gtest/gtest.h>
