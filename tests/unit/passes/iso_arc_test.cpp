@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "tests/unit/passes/iso_bench.hpp"
+#include "tests/unit/passes/iso_rig.hpp"
 
 namespace fagorc::passes::testing {
 namespace {
@@ -17,11 +17,11 @@ void expect_point(Point p, double u, double v, double tolerance = 1e-9) {
 }
 
 std::string alarm_of(std::string_view blocks) {
-    return IsoBench().run(blocks).alarm();
+    return IsoRig().run(blocks).alarm();
 }
 
 TEST(IsoArc, CentreIsARadiusUnderDiameters) {
-    IsoBench b;
+    IsoRig b;
     b.run("G18 G151 G90 G00 X80 Z60\nG03 X180 Z110 I50 K0 F100");
     expect_point(b.last<Arc>().end, 110, 90);
     expect_point(b.last<Arc>().centre, 60, 90);
@@ -33,7 +33,7 @@ TEST(IsoArc, CentreIsARadiusUnderDiameters) {
 }
 
 TEST(IsoArc, ClockwiseAndIncremental) {
-    IsoBench b;
+    IsoRig b;
     b.run("G18 G152 G90 G00 X10 Z50\nG91 G02 X20 Z-20 I20 K0 F100");
     expect_point(b.last<Arc>().end, 30, 30);
     expect_point(b.last<Arc>().centre, 50, 30);
@@ -41,7 +41,7 @@ TEST(IsoArc, ClockwiseAndIncremental) {
 }
 
 TEST(IsoArc, RadiusForm) {
-    IsoBench b;
+    IsoRig b;
     b.run("G18 G152 G90 G00 X40 Z60\nG03 X90 Z110 R50 F100");
     expect_point(b.last<Arc>().centre, 60, 90);
     b.run("G00 X40 Z60\nG03 X90 Z110 R-50");  // above 180 degrees: the other centre
@@ -54,7 +54,7 @@ TEST(IsoArc, RadiusForm) {
 }
 
 TEST(IsoArc, PolarFormAboutCentreOrOrigin) {
-    IsoBench b;
+    IsoRig b;
     b.run("G18 G152 G90 G00 X40 Z60\nG03 Q0 I50 K0 F100");
     expect_point(b.last<Arc>().end, 110, 90);
     expect_point(b.last<Arc>().centre, 60, 90);
@@ -70,7 +70,7 @@ TEST(IsoArc, PolarFormAboutCentreOrOrigin) {
 }
 
 TEST(IsoArc, FullCircles) {
-    IsoBench b;
+    IsoRig b;
     b.run("G152\nG18 G90 G00 X50 Z50\nG03 X50 Z50 I0 K20 F100");
     EXPECT_TRUE(b.last<Arc>().full);
     expect_point(b.last<Arc>().end, 50, 50);
@@ -94,18 +94,18 @@ TEST(IsoArc, CheckOfTheRadii) {
     EXPECT_EQ(alarm_of(start + "G03 X90 Z110 F100"), "0043");
     EXPECT_EQ(alarm_of(start + "G03 X90 Y10 R50 F100"), "0049");
     EXPECT_EQ(alarm_of(start + "G03 X90 Z110 A5 R50 F100"), "0055");
-    IsoBench b;
+    IsoRig b;
     b.run(start + "G03 X90 Z110.004 I50 K0 F100");
     const auto& arc = b.last<Arc>();
     EXPECT_EQ(arc.end, (Point{110.004, 90}));
     EXPECT_NEAR(distance(arc.centre, {60, 40}), distance(arc.centre, arc.end), 1e-12);
-    auto lathe = sweep_lathe();
+    auto lathe = built_in_lathe();
     lathe.arc_tolerance = 0.001;
-    EXPECT_EQ(IsoBench(lathe).run(start + "G03 X90 Z110.004 I50 K0 F100").alarm(), "1084");
+    EXPECT_EQ(IsoRig(lathe).run(start + "G03 X90 Z110.004 I50 K0 F100").alarm(), "1084");
 }
 
 TEST(IsoArc, AbsoluteCentre) {
-    IsoBench b;
+    IsoRig b;
     b.run("G18 G151 G90 G00 X80 Z60\nG06 G03 X180 Z110 I180 K60 F100");  // I as an X word: a diameter
     expect_point(b.last<Arc>().centre, 60, 90);
     b.run("G152\nG00 X40 Z60\nG06 G03 Q0 I90 K60");
@@ -122,7 +122,7 @@ TEST(IsoArc, AbsoluteCentre) {
 
 TEST(IsoArc, TangentChainOfTheManual) {
     // 8055 T 6.5: senses G03, G02, G03; the modal motion stays G01.
-    IsoBench b;
+    IsoRig b;
     b.run("G18 G152 G90 G01 X0 Z270 F100\nX50 Z250\nG08 X60 Z180");
     expect_point(b.last<Arc>().centre, 212.1212, 34.8485, 5e-5);
     EXPECT_TRUE(b.last<Arc>().ccw);
@@ -137,7 +137,7 @@ TEST(IsoArc, TangentChainOfTheManual) {
 }
 
 TEST(IsoArc, TangentArcByPolarEnd) {
-    IsoBench b;
+    IsoRig b;
     b.run("G18 G152 G90 G01 X0 Z0 F100\nZ10\nG08 R20 Q90");  // to (0, 20): |d|^2 / 2q = 500 / 40
     expect_point(b.last<Arc>().end, 0, 20);
     expect_point(b.last<Arc>().centre, 10, 12.5);
@@ -154,7 +154,7 @@ TEST(IsoArc, TangentArcErrors) {
 }
 
 TEST(IsoArc, ThreePoints) {
-    IsoBench b;
+    IsoRig b;
     b.run("G18 G151 G90 G00 X60 Z70\nG09 X120 Z20 I60 K50 F100");  // I is a diameter here
     expect_point(b.last<Arc>().centre, 60, 70);
     EXPECT_FALSE(b.last<Arc>().ccw);
@@ -169,28 +169,28 @@ TEST(IsoArc, ThreePoints) {
 
 TEST(IsoArc, PolarOriginFollowsArcsByParameter) {
     const std::string_view blocks = "G18 G152 G90 G00 X40 Z60\nG03 X90 Z110 I50 K0 F100\nG01 R10 Q0";
-    IsoBench stays;
+    IsoRig stays;
     stays.run(blocks);
     EXPECT_EQ(stays.last<Line>().end, (Point{10, 0}));
-    auto lathe = sweep_lathe();
+    auto lathe = built_in_lathe();
     lathe.polar_origin_follows_arcs = true;
-    IsoBench follows(lathe);
+    IsoRig follows(lathe);
     follows.run(blocks);
     expect_point(follows.last<Line>().end, 70, 90);
 }
 
 TEST(IsoArc, HelixInProportion) {
-    IsoBench b;
+    IsoRig b;
     b.run("G19 G90 G152 G00 X0 Y0 Z20\nG02 X30 Y0 Z20 J0 K-20 F100");
     EXPECT_TRUE(b.last<Arc>().full);
     EXPECT_EQ(b.last_move().others[Axis::X], 30);
     EXPECT_TRUE(b.last_move().moved.has(Axis::X));
-    b.run("G18 G00 X10 Z0 Y0\nG03 X0 Z-10 Y5 I-10 K0");
+    b.run("G18 G00 X10 Y0 Z0\nG03 X0 Y5 Z-10 I-10 K0");
     EXPECT_EQ(b.last_move().others[Axis::Y], 5);
 }
 
 TEST(IsoArc, HelixOfSeveralTurns) {
-    IsoBench b;
+    IsoRig b;
     b.run("G19 G90 G152 G00 X0 Y0 Z20\nG02 X-20 Y0 Z20 J0 K-20 I5 F100");
     const auto moves = b.moves();
     ASSERT_EQ(moves.size(), 5u);  // the rapid and four turns
@@ -208,7 +208,7 @@ TEST(IsoArc, HelixOfSeveralTurns) {
 
 TEST(IsoArc, OneLetterForBothAxesOfThePlane) {
     // Plane XU: the first I is X's, the second U's (8055 T 6.3).
-    IsoBench b;
+    IsoRig b;
     b.run("G16 X U\nG90 G152 G00 X10 U0\nG03 X0 U10 I-10 I0 F100");
     EXPECT_EQ(b.last<Arc>().end, (Point{0, 10}));
     expect_point(b.last<Arc>().centre, 0, 0);

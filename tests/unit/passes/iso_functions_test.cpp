@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "tests/unit/passes/iso_bench.hpp"
+#include "tests/unit/passes/iso_rig.hpp"
 
 namespace fagorc::passes::testing {
 namespace {
@@ -14,11 +14,11 @@ using operation::Event;
 using operation::Line;
 
 std::string alarm_of(std::string_view blocks) {
-    return IsoBench().run(blocks).alarm();
+    return IsoRig().run(blocks).alarm();
 }
 
 machine::Machine with_origins() {
-    machine::Machine m = sweep_lathe();
+    machine::Machine m = built_in_lathe();
     m.origins[1][Axis::Z] = 330;  // the table of 8055 T 4.4.2
     m.origins[2][Axis::Z] = 240;
     m.origins[5][Axis::Z] = -90;
@@ -28,7 +28,7 @@ machine::Machine with_origins() {
 }
 
 TEST(IsoFunctions, ZeroOffsetsMoveNothing) {
-    IsoBench b(with_origins());
+    IsoRig b(with_origins());
     b.run("G90 G00 X20 Z400\nG54");
     EXPECT_EQ(b.variable("PPOS", Axis::Z), 70);
     b.run("X20");  // Z stays where it is on the machine
@@ -47,7 +47,7 @@ TEST(IsoFunctions, ZeroOffsetsMoveNothing) {
 }
 
 TEST(IsoFunctions, OffsetByValuesTakesXAsAWord) {
-    IsoBench b(with_origins());
+    IsoRig b(with_origins());
     b.run("G54\nG158 X20 Z-90\nG00 X0 Z0");
     EXPECT_EQ(b.frame(b.last_move()).offset[Axis::Z], 240);
     EXPECT_EQ(b.frame(b.last_move()).offset[Axis::X], 10);
@@ -58,7 +58,7 @@ TEST(IsoFunctions, OffsetByValuesTakesXAsAWord) {
 
 TEST(IsoFunctions, PresetOfTheManual) {
     // 8055 T 4.4.1: P0 becomes the part zero, then increments.
-    IsoBench b;
+    IsoRig b;
     b.run("G18 G152 G01 F100\nG90 X0 Z200\nG92 X0 Z0\nG91 X30 Z-30\nZ-30\nX20\nX20 Z-40\nZ-40");
     EXPECT_EQ(b.last<Line>().end, (Point{-140, 70}));
     EXPECT_EQ(b.frame(b.last_move()).offset[Axis::Z], 200);
@@ -72,7 +72,7 @@ TEST(IsoFunctions, PresetOfTheManual) {
 }
 
 TEST(IsoFunctions, MachineCoordinates) {
-    IsoBench b(with_origins());
+    IsoRig b(with_origins());
     b.run("G54\nG90 G00 X10 Z10\nG53 X140 Z100");
     EXPECT_EQ(b.last<Line>().end, (Point{100, 70}));
     EXPECT_TRUE(b.frame(b.last_move()).machine);
@@ -92,9 +92,9 @@ TEST(IsoFunctions, MachineCoordinates) {
 }
 
 TEST(IsoFunctions, MachineCoordinatesAreThoseOfTheTurret) {
-    auto lathe = sweep_lathe();
+    auto lathe = built_in_lathe();
     lathe.offsets[7] = {.x = 40, .z = 25, .nose = 0, .tip = 3, .wear_x = -0.2, .wear_z = 0.05};
-    IsoBench b(lathe);
+    IsoRig b(lathe);
     b.run("T7 D7\nG00 X0 Z0\nG53 X140 Z100");
     // The tip stands its lengths before the turret: 70 - 39.9 and 100 - 25.05 (8055 T 8.1).
     EXPECT_NEAR(b.last<Line>().end.v, 30.1, 1e-12);
@@ -102,7 +102,7 @@ TEST(IsoFunctions, MachineCoordinatesAreThoseOfTheTurret) {
 }
 
 TEST(IsoFunctions, PolarOriginKeepsItsPlaceUnderAnotherOffset) {
-    IsoBench b(with_origins());
+    IsoRig b(with_origins());
     b.run("G152 G90 G00 X10 Z400\nG93 I340 J20\nG54");
     EXPECT_EQ(b.variable("PORGF"), 10);
     EXPECT_EQ(b.variable("PORGS"), 20);
@@ -111,7 +111,7 @@ TEST(IsoFunctions, PolarOriginKeepsItsPlaceUnderAnotherOffset) {
 }
 
 TEST(IsoFunctions, UnitsHoldInTheirOwnBlock) {
-    IsoBench b;
+    IsoRig b;
     b.run("G90 G00 X10 Z10\nG152 X10");
     EXPECT_EQ(b.last<Line>().end.v, 10);
     EXPECT_EQ(b.warnings(), std::vector<std::string>{"setting_holds_here"});
@@ -120,7 +120,7 @@ TEST(IsoFunctions, UnitsHoldInTheirOwnBlock) {
 }
 
 TEST(IsoFunctions, DwellAndStopOfPreparation) {
-    IsoBench b;
+    IsoRig b;
     b.run("G04 K50");
     EXPECT_EQ(b.last<Dwell>().seconds, 0.5);
     b.run("G04");
@@ -135,7 +135,7 @@ TEST(IsoFunctions, DwellAndStopOfPreparation) {
 }
 
 TEST(IsoFunctions, LookAheadIsStateOfTheMoves) {
-    IsoBench b;
+    IsoRig b;
     b.run("G51 A50 E0.05 B90\nG90 G01 X10 F100");
     const operation::State& s = b.state(b.last_move());
     EXPECT_EQ(s.modal.corner, program::Corner::look_ahead);
@@ -154,7 +154,7 @@ TEST(IsoFunctions, HomeSearch) {
     lathe.axes[Axis::X].reference = 300;
     lathe.axes[Axis::Z].reference = 500;
     lathe.offsets[7].z = 20;
-    IsoBench b(lathe);
+    IsoRig b(lathe);
     b.run("G54\nT7\nG90 G00 X10 Z0\nG02 X20 Z-5 R5 F100\nG74 Z X");
     const auto& event = b.last<Event>();
     EXPECT_EQ(event.kind, Event::Kind::home);
@@ -167,29 +167,29 @@ TEST(IsoFunctions, HomeSearch) {
 }
 
 TEST(IsoFunctions, HomeSubroutine) {
-    IsoBench b;
+    IsoRig b;
     b.run("G74");
     EXPECT_EQ(b.outcome.subroutine, 9990u);
     EXPECT_FALSE(b.runner.subroutine_ended());
-    auto lathe = sweep_lathe();
+    auto lathe = built_in_lathe();
     lathe.home_subroutine.reset();
-    EXPECT_EQ(IsoBench(lathe).run("G74").alarm(), "1079");
+    EXPECT_EQ(IsoRig(lathe).run("G74").alarm(), "1079");
     lathe.home_subroutine = 9991;  // not defined anywhere
-    EXPECT_EQ(IsoBench(lathe).run("G74").alarm(), "1079");
+    EXPECT_EQ(IsoRig(lathe).run("G74").alarm(), "1079");
 }
 
 TEST(IsoFunctions, PlannedCodesAreRefusedByName) {
-    IsoBench b;
+    IsoRig b;
     EXPECT_EQ(b.run("G11").alarm(), "not_yet_supported");
-    EXPECT_EQ(b.findings.list.back().arguments[0].plain, "G11");
+    EXPECT_EQ(b.findings.list().back().arguments[0].plain, "G11");
     EXPECT_EQ(alarm_of("G01 G41 X10 F100"), "not_yet_supported");
     EXPECT_EQ(alarm_of("G72 S2"), "not_yet_supported");
     EXPECT_EQ(alarm_of("G40"), "");
 }
 
 TEST(IsoFunctions, ResetKeepsOffsetsAndTool) {
-    IsoBench b(with_origins());
-    b.run("G54\nT3 D4\nG17 G91 G70 G152 G95 G96 G07 S100 F0.1 M3\nG92 S2000\nG01");
+    IsoRig b(with_origins());
+    b.run("G54\nT3 D4\nG17 G91 G70 G152 G95 G96 G07 F0.1 S100 M3\nG92 S2000\nG01");
     b.run("M30");
     EXPECT_TRUE(b.outcome.program_end);
     b.runner.reset();
@@ -207,14 +207,14 @@ TEST(IsoFunctions, ResetKeepsOffsetsAndTool) {
 }
 
 TEST(IsoFunctions, StartOfTheMachineIsTheTip) {
-    auto lathe = sweep_lathe();
+    auto lathe = built_in_lathe();
     lathe.start[Axis::X] = 50;
     lathe.start[Axis::Z] = 200;
     lathe.start_tool = 2;
     lathe.start_offset = 2;
     lathe.offsets[2].x = 40;
     lathe.offsets[2].z = 25;
-    IsoBench b(lathe);
+    IsoRig b(lathe);
     EXPECT_EQ(b.variable("PPOS", Axis::X), 100);
     b.run("G91 G00 Z1");
     EXPECT_EQ(b.last<Line>().end, (Point{201, 50}));
@@ -224,7 +224,7 @@ TEST(IsoFunctions, StartOfTheMachineIsTheTip) {
 }
 
 TEST(IsoFunctions, StatesAreInternedOnce) {
-    IsoBench b;
+    IsoRig b;
     b.run("G01 X1 F100\nG00 X2\nG01 X3\nG00 X4\nG01 X5");
     EXPECT_EQ(b.tables.states.size(), 2u);
     EXPECT_EQ(b.moves()[0].at.state, b.moves()[4].at.state);
@@ -232,7 +232,7 @@ TEST(IsoFunctions, StatesAreInternedOnce) {
 }
 
 TEST(IsoFunctions, VariablesOfTheProgramState) {
-    IsoBench b;
+    IsoRig b;
     b.run("G90 G01 X30 Z-4 F120\nG95 F0.2 S500 M3\nM19 S45\nM45 S-200\nT5 D6");
     EXPECT_EQ(b.variable("PPOS", Axis::X), 30);
     EXPECT_EQ(b.variable("PPOS", Axis::Z), -4);
@@ -263,7 +263,7 @@ TEST(IsoFunctions, VariablesOfTheProgramState) {
 }
 
 TEST(IsoFunctions, VariablesThatTheProgramWrites) {
-    IsoBench b;
+    IsoRig b;
     EXPECT_TRUE(b.runner.assign(b.variable_row("DIAM", false), -1, 0));
     b.run("G00 X10");
     EXPECT_EQ(b.last<Line>().end.v, 10);
@@ -277,7 +277,7 @@ TEST(IsoFunctions, VariablesThatTheProgramWrites) {
 }
 
 TEST(IsoFunctions, StatesOfOtherStatements) {
-    IsoBench b;
+    IsoRig b;
     b.runner.enable({program::Enable::What::stop, false});
     b.runner.enable({program::Enable::What::single_block, true});
     b.run("G00 X1");

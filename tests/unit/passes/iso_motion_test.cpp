@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/unit/passes/iso_bench.hpp"
+#include "tests/unit/passes/iso_rig.hpp"
 
 namespace fagorc::passes::testing {
 namespace {
@@ -12,23 +12,23 @@ namespace {
 using operation::Line;
 using operation::Thread;
 
-void expect_end(const IsoBench& b, double z, double x) {
+void expect_end(const IsoRig& b, double z, double x) {
     const auto& line = b.last<Line>();
     EXPECT_NEAR(line.end.u, z, 1e-9);
     EXPECT_NEAR(line.end.v, x, 1e-9);
 }
 
 std::string alarm_of(std::string_view blocks) {
-    return IsoBench().run(blocks).alarm();
+    return IsoRig().run(blocks).alarm();
 }
 
 TEST(IsoMotion, AbsoluteCoordinatesAndDiameters) {
-    IsoBench b;
+    IsoRig b;
     b.run("G90 G00 X100 Z20");
     expect_end(b, 20, 50);
     EXPECT_TRUE(b.last<Line>().rapid);
     EXPECT_TRUE(b.outcome.moved);
-    b.run("G152 G01 X30 F150");
+    b.run("G152\nG01 X30 F150");
     expect_end(b, 20, 30);
     EXPECT_FALSE(b.last<Line>().rapid);
     EXPECT_EQ(b.last_move().at.feed, 150);
@@ -38,7 +38,7 @@ TEST(IsoMotion, AbsoluteCoordinatesAndDiameters) {
 }
 
 TEST(IsoMotion, IncrementsAreDiameterIncrements) {
-    IsoBench b;
+    IsoRig b;
     b.run("G90 G00 X200 Z60\nG91 G01 X-40 F100");
     expect_end(b, 60, 80);  // 8055 T 3.4: from X200 to X160
     b.run("G152 X5 Z-10");
@@ -46,7 +46,7 @@ TEST(IsoMotion, IncrementsAreDiameterIncrements) {
 }
 
 TEST(IsoMotion, InchesOfEachWord) {
-    IsoBench b;
+    IsoRig b;
     b.run("G70 G90 G01 X2 Z1 F10");
     expect_end(b, 25.4, 25.4);
     EXPECT_DOUBLE_EQ(b.last_move().at.feed, 254);
@@ -57,7 +57,7 @@ TEST(IsoMotion, InchesOfEachWord) {
 }
 
 TEST(IsoMotion, AxesOutsideThePlaneGoAlong) {
-    IsoBench b;
+    IsoRig b;
     b.run("G90 G01 X10 Y5 W-3 F100");
     EXPECT_EQ(b.last_move().others[Axis::Y], 5);
     EXPECT_EQ(b.last_move().others[Axis::W], -3);
@@ -71,7 +71,7 @@ TEST(IsoMotion, AxesOutsideThePlaneGoAlong) {
 }
 
 TEST(IsoMotion, OtherPlanes) {
-    IsoBench b;
+    IsoRig b;
     b.run("G17 G90 G152 G01 X10 Y20 Z5 F100");
     EXPECT_EQ(b.last<Line>().end, (Point{10, 20}));
     b.run("G16 W X\nX7 W8");
@@ -80,7 +80,7 @@ TEST(IsoMotion, OtherPlanes) {
 
 TEST(IsoMotion, PolarWordsAboutTheOrigin) {
     // 8055 T 3.6.2 example: R430 Q0, R340 Q45; then increments R-90 Q45.
-    IsoBench b;
+    IsoRig b;
     b.run("G18 G152 G90 G01 R430 Q0 F100");
     expect_end(b, 430, 0);
     b.run("Q33.7");  // the radius stays
@@ -94,7 +94,7 @@ TEST(IsoMotion, PolarWordsAboutTheOrigin) {
 }
 
 TEST(IsoMotion, PolarOriginByValuesHereAndByPlane) {
-    IsoBench b;
+    IsoRig b;
     b.run("G18 G152 G90 G01 X30 Z50 F100\nG93\nR20 Q90");
     expect_end(b, 50, 50);
     b.run("G93 I10 J40\nR5 Q180");  // I is the abscissa Z, J the ordinate X
@@ -115,7 +115,7 @@ TEST(IsoMotion, PolarErrors) {
 }
 
 TEST(IsoMotion, PolarWithAThirdAxis) {
-    IsoBench b;
+    IsoRig b;
     b.run("G18 G90 G01 R50 Q30 Y10 F100");
     expect_end(b, 50 * std::cos(std::numbers::pi / 6), 25);
     EXPECT_EQ(b.last_move().others[Axis::Y], 10);
@@ -123,7 +123,7 @@ TEST(IsoMotion, PolarWithAThirdAxis) {
 
 TEST(IsoMotion, AngleAndOneCoordinate) {
     // The drawing of 8055 T 3.6.3: Q149 from (Z160, Xr30) to Z110 ends at Xr 60.0430.
-    IsoBench b;
+    IsoRig b;
     b.run("G152\nG18 G90 G01 X30 Z160 F100\nQ149 Z110");
     EXPECT_NEAR(b.last<Line>().end.u, 110, 1e-12);
     EXPECT_NEAR(b.last<Line>().end.v, 60.0430, 5e-5);
@@ -145,14 +145,14 @@ TEST(IsoMotion, AngleErrors) {
 }
 
 TEST(IsoMotion, WordsAndParameters) {
-    IsoBench b;
+    IsoRig b;
     *b.session.parameters.find(3) = 20;
     b.run("G90 G01 X-P3 ZP3 F100");
     expect_end(b, 20, -10);
     b.run("X Z1");
     expect_end(b, 1, 0);
     EXPECT_EQ(b.warnings(), std::vector<std::string>{"number_left_out"});
-    EXPECT_EQ(IsoBench().run("G00 XP99").alarm(), "1052");
+    EXPECT_EQ(IsoRig().run("G00 XP99").alarm(), "1052");
 }
 
 TEST(IsoMotion, NumberFormats) {
@@ -160,20 +160,20 @@ TEST(IsoMotion, NumberFormats) {
     EXPECT_EQ(alarm_of("G00 X123456.7"), "0147");
     EXPECT_EQ(alarm_of("G00 X10\nG03 X20 I123456 K0 F1"), "0043");  // 6 digits are well for a centre
     EXPECT_EQ(alarm_of("G00 X10\nG03 X20 Z5 I1234567 K0 F1"), "0147");
-    IsoBench b;
+    IsoRig b;
     *b.session.parameters.find(0) = -2e5;
     EXPECT_EQ(b.run("G00 ZP0").alarm(), "0147");
 }
 
 TEST(IsoMotion, AFifthDecimalIsRoundedWithOneWarning) {
-    IsoBench b;
+    IsoRig b;
     b.run("G152\nG00 X10.00016 Z1.23456");
     expect_end(b, 1.2346, 10.0002);
     EXPECT_EQ(b.warnings(), std::vector<std::string>{"decimals_rounded"});
 }
 
 TEST(IsoMotion, UnknownValuesBlock) {
-    IsoBench b;
+    IsoRig b;
     *b.session.parameters.find(1) = unknown_value;
     b.run("G00 X10\nG00 XP1");
     EXPECT_TRUE(b.session.blocked);
@@ -182,15 +182,15 @@ TEST(IsoMotion, UnknownValuesBlock) {
 }
 
 TEST(IsoMotion, MissingAxis) {
-    auto lathe = sweep_lathe();
+    auto lathe = built_in_lathe();
     lathe.axes[Axis::V].exists = false;
-    EXPECT_EQ(IsoBench(lathe).run("G90 G01 V10 F100").alarm(), "0046");
-    EXPECT_EQ(IsoBench(lathe).run("G92 V10").alarm(), "0046");
-    EXPECT_EQ(IsoBench(lathe).run("G18 G02 V10 X10 R5 F100").alarm(), "0046");
+    EXPECT_EQ(IsoRig(lathe).run("G90 G01 V10 F100").alarm(), "0046");
+    EXPECT_EQ(IsoRig(lathe).run("G92 V10").alarm(), "0046");
+    EXPECT_EQ(IsoRig(lathe).run("G18 G02 X10 V10 R5 F100").alarm(), "0046");
 }
 
 TEST(IsoMotion, NormalRotaryAxisTurnsInTheSenseOfItsSign) {
-    IsoBench b;
+    IsoRig b;
     const auto c = [&] { return b.last_move().others[Axis::C]; };
     b.run("G90 G01 C90 F500");
     EXPECT_EQ(c(), 90);
@@ -209,13 +209,13 @@ TEST(IsoMotion, NormalRotaryAxisTurnsInTheSenseOfItsSign) {
 }
 
 TEST(IsoMotion, NoTurnByRoundingOfAnAngle) {
-    IsoBench b;
+    IsoRig b;
     b.run("G91 G01 C0.1 F100\nC0.1\nC0.1\nG90 C0.3");  // 0.1 + 0.1 + 0.1 is a little above 0.3
     EXPECT_NEAR(b.last_move().others[Axis::C], 0.3, 1e-9);
 }
 
 TEST(IsoMotion, PositioningAxisGoesTheShortestWay) {
-    IsoBench b;
+    IsoRig b;
     b.run("G90 G00 A350");
     EXPECT_EQ(b.last_move().others[Axis::A], -10);
     b.run("A20");
@@ -229,25 +229,25 @@ TEST(IsoMotion, PositioningAxisGoesTheShortestWay) {
 }
 
 TEST(IsoMotion, RulesOfSeveralPositioningAxes) {
-    auto lathe = sweep_lathe();
+    auto lathe = built_in_lathe();
     lathe.axes[Axis::C].type = machine::AxisType::hirth;
-    EXPECT_EQ(IsoBench(lathe).run("G90 G00 B10 C10").alarm(), "0166");
+    EXPECT_EQ(IsoRig(lathe).run("G90 G00 B10 C10").alarm(), "0166");
     EXPECT_EQ(alarm_of("G90 G01 A10 B10 F100"), "0201");
     EXPECT_EQ(alarm_of("G90 G00 A10 B10"), "");
 }
 
 TEST(IsoMotion, RotaryAxisWithoutRolloverIsLikeALinearOne) {
-    auto lathe = sweep_lathe();
+    auto lathe = built_in_lathe();
     lathe.axes[Axis::C].rollover = false;
-    IsoBench b(lathe);
+    IsoRig b(lathe);
     b.run("G90 G01 C-400 F100");
     EXPECT_EQ(b.last_move().others[Axis::C], -400);
     lathe.axes[Axis::C].type = machine::AxisType::hirth;
-    EXPECT_EQ(IsoBench(lathe).run("G00 C0.5").alarm(), "0059");
+    EXPECT_EQ(IsoRig(lathe).run("G00 C0.5").alarm(), "0059");
 }
 
 TEST(IsoMotion, ThreadOfTheManual) {
-    IsoBench b;
+    IsoRig b;
     b.run("S500 M3\nG90 G00 X116 Z180\nG33 Z40 L5");
     EXPECT_EQ(b.last<Thread>().end, (Point{40, 58}));
     EXPECT_EQ(b.last<Thread>().lead, 5);
@@ -261,12 +261,12 @@ TEST(IsoMotion, ThreadOfTheManual) {
 TEST(IsoMotion, LeadOfATaperByPolicy) {
     // 8055 T 6.12: from (Xr42, Z190) to (Xr70, Z50), 142.7725 long: 28.5552 turns along the path, 28 along Z.
     const std::string_view blocks = "S500 M3\nG90 G00 X84 Z190\nG33 X140 Z50 L5";
-    IsoBench path;
+    IsoRig path;
     path.run(blocks);
     EXPECT_EQ(path.last<Thread>().lead, 5);
-    auto lathe = sweep_lathe();
+    auto lathe = built_in_lathe();
     lathe.policy.thread_lead = machine::Policies::ThreadLead::major_axis;
-    IsoBench axis(lathe);
+    IsoRig axis(lathe);
     axis.run(blocks);
     EXPECT_NEAR(142.7725 / axis.last<Thread>().lead, 28, 1e-5);
 }
@@ -277,10 +277,10 @@ TEST(IsoMotion, ThreadErrors) {
     EXPECT_EQ(alarm_of("S500 M3\nG33 Z-20 L2 Q400"), "0227");
     EXPECT_EQ(alarm_of("G33 Z-20 L2"), "1036");
     EXPECT_EQ(alarm_of("G51 E0.05\nS500 M3\nG33 Z-20 L2"), "0007");
-    auto lathe = sweep_lathe();
+    auto lathe = built_in_lathe();
     lathe.m19_type = 0;
-    EXPECT_EQ(IsoBench(lathe).run("S500 M3\nG33 Z-20 L2 Q90").alarm(), "0228");
-    EXPECT_EQ(IsoBench(lathe).run("S500 M3\nG33 Z-20 L2").alarm(), "");
+    EXPECT_EQ(IsoRig(lathe).run("S500 M3\nG33 Z-20 L2 Q90").alarm(), "0228");
+    EXPECT_EQ(IsoRig(lathe).run("S500 M3\nG33 Z-20 L2").alarm(), "");
 }
 
 }  // namespace
