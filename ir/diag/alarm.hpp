@@ -31,8 +31,22 @@ constexpr bool is_alarm_column(std::string_view s) {
     }
 }
 
+/// Whether the number `alarm` ("0043") is one of a column's.
+constexpr bool holds_alarm(std::string_view column, std::string_view alarm) {
+    if (const std::size_t dash = column.find('-'); dash != column.npos)
+        return alarm.size() == dash && column.substr(0, dash) <= alarm && alarm <= column.substr(dash + 1);
+    while (true) {
+        const std::size_t comma = column.find(',');
+        if (column.substr(0, comma) == alarm) return !alarm.empty();
+        if (comma == column.npos) return false;
+        column.remove_prefix(comma + 1);
+    }
+}
+
 static_assert(is_alarm_column("0046") && is_alarm_column("1155-1163") && is_alarm_column("1090,1091,1096"));
 static_assert(!is_alarm_column("46") && !is_alarm_column("1163-1155") && !is_alarm_column("1090,") &&
               !is_alarm_column("alarm"));
+static_assert(holds_alarm("1155-1163", "1163") && holds_alarm("1090,1091", "1091") && holds_alarm("0046", "0046"));
+static_assert(!holds_alarm("1155-1163", "1164") && !holds_alarm("1090,1091", "109") && !holds_alarm("", ""));
 
 }  // namespace fagorc::diag

@@ -113,6 +113,13 @@ std::optional<Id> find(std::string_view code_or_name) {
     return std::nullopt;
 }
 
+std::vector<Id> with_alarm(std::string_view number, std::string_view control) {
+    std::vector<Id> found;
+    for (std::size_t i = 0; i < std::size(rows); ++i)
+        if (holds_alarm(column(rows[i], control), number)) found.push_back(static_cast<Id>(i));
+    return found;
+}
+
 std::string message(const Diagnostic& diagnostic, Language language) {
     std::string out;
     const std::string_view text = row(diagnostic.id).message.in(language);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "ir/base/text.hpp"
 #include "ir/diag/diagnostic.hpp"
@@ -28,6 +29,9 @@ std::size_t row_count();
 
 /// The diagnostic of a code or a name, in any letter case: "F0201", "not_yet_supported".
 std::optional<Id> find(std::string_view code_or_name);
+
+/// The diagnostics for which a control ("8055") shows a number as it stands on its screen ("0043"), by their codes.
+std::vector<Id> with_alarm(std::string_view number, std::string_view control);
 
 /// The message of a diagnostic in a language, arguments put in.
 std::string message(const Diagnostic& diagnostic, Language language);

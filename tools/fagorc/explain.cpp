@@ -10,6 +10,7 @@
 
 #include "frontend/controls/controls.hpp"
 #include "ir/control/describe.hpp"
+#include "ir/diag/alarm.hpp"
 #include "ir/diag/catalogue.hpp"
 #include "ir/diag/explain.hpp"
 #include "tools/fagorc/commands.hpp"
@@ -71,10 +72,13 @@ std::string head(std::string_view word, Text title, std::string_view section, co
                        support == control::Support::planned ? fmt::format(" [{}]", planned.in(l)) : "");
 }
 
+std::string headline(const diag::Row& row, Language l) {
+    return fmt::format("{} {}: {}\n", row.code, diag::to_string(row.severity, l), without_values(row.message.in(l)));
+}
+
 std::string finding(diag::Id id, Language l) {
     const diag::Row& row = diag::row(id);
-    std::string out =
-        fmt::format("{} {}: {}\n", row.code, diag::to_string(row.severity, l), without_values(row.message.in(l)));
+    std::string out = headline(row, l);
     if (!row.alarm_8055.empty()) out += fmt::format("8055: {}\n", row.alarm_8055);
     if (!row.alarm_8025.empty()) out += fmt::format("8025: {}\n", row.alarm_8025);
     if (const auto page = trimmed(diag::explain_page(id, l)); !page.empty()) out += fmt::format("\n{}\n", page);
@@ -103,6 +107,16 @@ std::string variable(const control::Variable& v, Language l) {
     return out + '\n';
 }
 
+/// The findings for which the control shows a number, one a line; the page where there is only one.
+std::string alarm(const control::Dialect& d, std::string_view number, Language l) {
+    if (number.size() > diag::alarm_digits || number.find_first_not_of("0123456789") != number.npos) return {};
+    const auto found = diag::with_alarm(fmt::format("{:0>{}}", number, diag::alarm_digits), d.name);
+    if (found.size() == 1) return finding(found.front(), l);
+    std::string out;
+    for (const diag::Id id : found) out += headline(diag::row(id), l);
+    return out;
+}
+
 /// "G1", "G01" and "G 1" name one code.
 const control::Construct* find_code(const control::Dialect& d, const std::string& word) {
     if (word.size() < 2 || word.find_first_not_of("0123456789", 1) != word.npos || word.size() > 5) return nullptr;
@@ -126,7 +140,7 @@ std::string page(const control::Dialect& d, const std::string& word, Language l)
     for (const control::StatementRow& a : d.addresses)
         if (a.word == word) return statement(a, l);
     if (const auto* v = find_variable(d, word)) return variable(*v, l);
-    return {};
+    return alarm(d, word, l);
 }
 
 Exit explain(const Options& o) {
@@ -134,7 +148,7 @@ Exit explain(const Options& o) {
         o.settings.control == "auto" ? frontend::dialects().front() : frontend::dialect(o.settings.control);
     const std::string text = page(*d, upper(o.word), language_of(o.settings));
     if (text.empty()) {
-        std::fprintf(stderr, "fagorc: %s is no finding, code, statement, operator or variable of the %s\n",
+        std::fprintf(stderr, "fagorc: %s is no finding, alarm, code, statement, operator or variable of the %s\n",
                      o.word.c_str(), std::string(d->name).c_str());
         return Exit::could_not_run;
     }
@@ -146,8 +160,8 @@ Exit explain(const Options& o) {
 
 void add_explain(CLI::App& app, Exit& exit) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("explain", "Say what a finding, code, statement or variable means");
-    command->add_option("WORD", options->word, "F0606, G68, RPT, POSX ...")->required();
+    CLI::App* command = app.add_subcommand("explain", "Say what a finding, alarm, code, statement or variable means");
+    command->add_option("WORD", options->word, "F0606, 0043, G68, RPT, POSX ...")->required();
     command->add_option("--control", options->settings.control, "control whose tables are read")
         ->check(CLI::IsMember({"auto", "8055"}));
     command->add_option("--lang", options->settings.language, "en, fr, es (default: the locale)")
@@ -155,6 +169,7 @@ void add_explain(CLI::App& app, Exit& exit) {
     command->footer(
         "Examples:\n"
         "  fagorc explain F0606\n"
+        "  fagorc explain 0043\n"
         "  fagorc explain G33 --lang fr\n"
         "  fagorc explain POSX");
     command->callback([options, &exit] { exit = explain(*options); });

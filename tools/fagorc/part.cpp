@@ -58,10 +58,8 @@ passes::ExecuteResult Part::run(operation::Sink& tail, const Run& run) {
     options.max_blocks = settings_.max_blocks;
     options.live_may_be_unknown = run.checking;
     options.stop = run.stop;
-    const auto result = passes::execute(*program_, workspace_->library(), *dialect_, machine_, live_, tables_, texts_,
-                                        diagnostics_, pipeline.head(), options);
-    if (!result.stopped) program_->check_unread(diagnostics_);
-    return result;
+    return passes::execute(*program_, workspace_->library(), *dialect_, machine_, live_, tables_, texts_, diagnostics_,
+                           pipeline.head(), options);
 }
 
 backends::Job Part::job() {

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "ir/diag/alarm.hpp"
+
 namespace fagorc::diag {
 namespace {
 
@@ -23,6 +27,21 @@ TEST(Catalogue, EveryRowIsFoundByItsCode) {
         const Id id = static_cast<Id>(i);
         EXPECT_EQ(find(row(id).code), id) << row(id).code;
         EXPECT_EQ(find(row(id).name), id) << row(id).name;
+    }
+}
+
+// One number, a range by axis, a list by axis, and what belongs to no row.
+TEST(Catalogue, FindsByTheNumberOfTheControl) {
+    EXPECT_EQ(with_alarm("0043", "8055"), (std::vector<Id>{Id::coordinates_incomplete, Id::arc_centre_missing}));
+    EXPECT_EQ(with_alarm("0043", "another"), std::vector<Id>{});
+    EXPECT_EQ(with_alarm("", "8055"), std::vector<Id>{});
+    for (std::size_t i = 0; i < row_count(); ++i) {
+        const std::string_view all = row(static_cast<Id>(i)).alarm_8055;
+        if (all.size() < alarm_digits) continue;
+        for (const std::string_view number : {all.substr(0, alarm_digits), all.substr(all.size() - alarm_digits)}) {
+            const auto found = with_alarm(number, "8055");
+            EXPECT_NE(std::find(found.begin(), found.end(), static_cast<Id>(i)), found.end()) << number;
+        }
     }
 }
 
