@@ -13,7 +13,7 @@ using Form = ArcForm;
 
 namespace {
 
-constexpr std::uint64_t blocks_looked_back = 48;  // 8055 T 2.5
+constexpr std::uint64_t blocks_looked_back = 48;  // as at compensated paths, 8055 T 8.2.5
 
 bool take_turn(Point end, const Turn& turn, Form& f) {
     f.end = end;
