@@ -21,8 +21,9 @@ class Programs {
     virtual ~Programs() = default;
     /// File name; outputs show it without its folder, so that they do not depend on where the file lies.
     virtual std::string_view name(diag::FileId file) const = 0;
-    /// The whole text, as its bytes are. Asked for when all operations have come.
-    virtual std::string_view text(diag::FileId file) const = 0;
+    /// The text from `from` to its end, as its bytes are; what lies before may leave the memory until it is asked for
+    /// again. Asked for when all operations have come.
+    virtual std::string_view text(diag::FileId file, std::size_t from = 0) const = 0;
     /// Where an operation was programmed, for findings about it.
     virtual diag::Place place(const operation::Context& at) const = 0;
     /// The label (N) of the block that made an operation; nothing where it has none.

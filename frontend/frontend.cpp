@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <deque>
 #include <map>
 #include <system_error>
+#include <tuple>
 
 #include "frontend/bind/bind.hpp"
 #include "frontend/structure/program_text.hpp"
@@ -70,16 +72,20 @@ struct Workspace::Implementation final : Library {
         return stored.program;
     }
 
-    Program* program(std::uint32_t number) override {
-        const auto at = library.find(number);
-        if (at != library.end()) return of(at->second);
-        for (const Source& s : sources)
-            if (s.program && !s.superseded && s.program->number() == number) return s.program.get();
-        return nullptr;
+    /// A program that is open has its number for itself, whatever the library holds: a number is unique in the
+    /// control's memory (8055 T 12.4), and the text at hand may be newer than the one in the folder.
+    ProgramText& opened_program(ProgramText& program) {
+        if (const auto number = program.number())
+            library.insert_or_assign(*number, Stored{program.name(), std::nullopt, &program, false});
+        return program;
     }
 
-    /// The texts at hand first, then the library in the order of its numbers: a number is unique in the control's
-    /// memory (8055 T 12.4).
+    Program* program(std::uint32_t number) override {
+        const auto at = library.find(number);
+        return at != library.end() ? of(at->second) : nullptr;
+    }
+
+    /// The texts at hand first, then the library in the order of its numbers.
     Found subroutine(std::uint32_t number) override {
         const auto in = [number](ProgramText* p) { return p ? p->subroutine(number, false) : nullptr; };
         for (std::size_t i = 0; i < sources.size(); ++i)
@@ -133,13 +139,15 @@ Workspace::~Workspace() = default;
 
 Program* Workspace::open(const std::string& path) {
     auto& i = *implementation_;
+    const std::string name = path == "-" ? "<stdin>" : path;
     std::unique_ptr<Text> text =
-        path == "-" ? text_of_stream(::dup(STDIN_FILENO), i.diagnostics) : text_of_file(path, i.diagnostics);
-    return text ? &i.add(path == "-" ? "<stdin>" : path, std::move(text)) : nullptr;
+        path == "-" ? text_of_stream(::dup(STDIN_FILENO), name, i.diagnostics) : text_of_file(path, i.diagnostics);
+    return text ? &i.opened_program(i.add(name, std::move(text))) : nullptr;
 }
 
 Program& Workspace::add(std::string name, std::string text) {
-    return implementation_->add(std::move(name), text_of(text));
+    auto& i = *implementation_;
+    return i.opened_program(i.add(std::move(name), text_of(text)));
 }
 
 diag::FileId Workspace::add_text(std::string name, std::string text) {
@@ -149,14 +157,30 @@ diag::FileId Workspace::add_text(std::string name, std::string text) {
 }
 
 bool Workspace::add_library(const std::filesystem::path& folder) {
+    auto& i = *implementation_;
     std::error_code error;
+    std::vector<std::pair<std::uint32_t, std::string>> programs;
     for (const auto& entry : std::filesystem::directory_iterator(folder, error))
         if (const auto number = program_number(entry.path().string()))
-            implementation_->library.try_emplace(*number, Stored{entry.path().string(), std::nullopt, nullptr, false});
-    if (error)
-        implementation_->diagnostics.report(diag::Id::cannot_read_folder, diag::Place{}, folder.string(),
-                                            error.message());
-    return !error;
+            programs.emplace_back(*number, entry.path().string());
+    if (error) {
+        i.diagnostics.report(diag::Id::cannot_read_folder, diag::Place{}, folder.string(), error.message());
+        return false;
+    }
+    // Not as the folder happens to list them: .PIT, the lathe's, stands before .PIM, the mill's (8055 T 1.1).
+    std::sort(programs.begin(), programs.end(), [](const auto& a, const auto& b) {
+        const auto place = [](const auto& p) { return std::tuple(p.first, (p.second.back() | 0x20) == 'm', p.second); };
+        return place(a) < place(b);
+    });
+    const std::string* before = nullptr;
+    for (const auto& [number, path] : programs) {
+        if (before && program_number(*before) == number)
+            i.diagnostics.report(diag::Id::program_number_twice, diag::Place{}, number, *before, path);
+        else
+            i.library.try_emplace(number, Stored{path, std::nullopt, nullptr, false});
+        before = &path;
+    }
+    return true;
 }
 
 Library& Workspace::library() {

@@ -34,7 +34,8 @@ class Workspace {
     program::Program* open(const std::string& path);
     /// A program from memory, for tests and for programs made by OPEN and WRITE.
     program::Program& add(std::string name, std::string text);
-    /// Makes the programs nnnnnn.PIT (or .PIM) of a folder available by number, and all their global subroutines.
+    /// Makes the programs nnnnnn.PIT (or .PIM) of a folder available by number, and all their global subroutines. A
+    /// number that a program has already keeps it; one with both endings is reported.
     bool add_library(const std::filesystem::path& folder);
 
     /// Gives a text that is no program (a machine file, a table of the control) a number for `name` and `line_at`.

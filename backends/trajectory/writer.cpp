@@ -170,18 +170,19 @@ class TrajectoryWriter final : public NumberingSink {
     void write_source(std::uint32_t number) {
         const diag::FileId file = programs()[number];
         const std::string_view name = base_name(job().programs.name(file)).substr(0, longest_name);
-        const std::string_view text = job().programs.text(file);
-        const SourcePrefix prefix{text.size(), number, static_cast<std::uint32_t>(name.size())};
+        const std::size_t size = job().programs.text(file).size();
+        const SourcePrefix prefix{size, number, static_cast<std::uint32_t>(name.size())};
         std::size_t at = 0;
         do {
             Block block(type::source, 0, 1, sizeof prefix);
             std::memcpy(block.prefix(), &prefix, sizeof prefix);
             block.append(name.data(), name.size());
-            const std::string_view chunk = text.substr(at, Block::capacity - sizeof prefix - name.size());
+            const std::string_view chunk =
+                job().programs.text(file, at).substr(0, Block::capacity - sizeof prefix - name.size());
             block.append(chunk.data(), chunk.size());
             out_.write(block, at, static_cast<std::uint32_t>(chunk.size()));
             at += chunk.size();
-        } while (at < text.size());
+        } while (at < size);
     }
 
     static constexpr std::size_t longest_name = 4096;

@@ -169,7 +169,7 @@ const Block* ProgramText::decode(Cursor at, Reading& into) {
         if (extent.too_long) {
             const auto limit = static_cast<std::uint64_t>(decoder_.dialect.limits.block_bytes);
             into.block = {&into.shape, {}, {p, extent.length}, at, next};
-            into.shape = broken({diag::Id::block_too_long, 0, 0, {extent.length, limit}});
+            into.shape = broken({diag::Id::block_too_long, 0, 0, {limit}});
             return &into.block;
         }
         if (is_silent(into.scan)) {
@@ -184,8 +184,10 @@ const Block* ProgramText::decode(Cursor at, Reading& into) {
         if (into.block.shape->label_slot) refuse_label(into);
         return &into.block;
     }
-    if (!text_->failure().empty())
-        decoder_.diagnostics.report(diag::Id::cannot_spool, place_of_line(at.line), text_->failure());
+    if (auto failure = text_->take_failure()) {
+        failure->place = place_of_line(at.line);
+        decoder_.diagnostics.report(std::move(*failure));
+    }
     return nullptr;
 }
 

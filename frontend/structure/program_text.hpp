@@ -49,7 +49,7 @@ class ProgramText final : public program::Program {
     diag::Place place_of_line(std::uint32_t line) override;
     std::optional<std::uint32_t> label_of_line(std::uint32_t line) override;
     void check_unread(diag::Sink& out) override;
-    std::string_view text() override { return text_->all(); }
+    std::string_view text(std::size_t from = 0) override { return text_->all(from); }
 
   private:
     /// A decoded block of a loop, by the cursor that it was asked for.
@@ -81,6 +81,8 @@ class ProgramText final : public program::Program {
     program::Cursor cursor_of_line(std::uint32_t line);
     std::optional<program::Cursor> find_label(std::uint32_t number);
     const program::Block* index_next();
+    void check_limits(const program::Block& block, diag::Sink& out);
+    void check_texts(const program::Block& block, const program::Statement& statement, diag::Sink& out);
     void check_subroutine(const program::Block& block, diag::Sink& out);
 
     Decoder decoder_;

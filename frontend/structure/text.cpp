@@ -125,7 +125,7 @@ std::unique_ptr<Text> text_of_file(const std::string& path, diag::Sink& out) {
         out.report(diag::Id::is_a_directory, diag::Place{}, path);
         return nullptr;
     }
-    if (!S_ISREG(status.st_mode)) return text_of_stream(fd, out);
+    if (!S_ISREG(status.st_mode)) return text_of_stream(fd, path, out);
     // Two bytes more than there are: the second read finds the end without growing.
     Buffer bytes(static_cast<std::size_t>(std::max<off_t>(status.st_size, 0)) + 2);
     const int error = read_all(fd, bytes);

@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "ir/diag/diagnostic.hpp"
 
@@ -20,26 +22,29 @@ class Text {
     std::size_t ready() const { return ready_; }
     /// Waits until the block at `offset` is whole; false when the text ends before it.
     bool reach(std::size_t offset) { return offset < ready_ || more(offset); }
-    /// Everything up to the end of the input.
-    std::string_view all() {
+    /// Everything from `from` up to the end of the input; what lies before may leave the memory until it is read again.
+    std::string_view all(std::size_t from = 0) {
         while (more(ready_)) {
         }
-        return {data_, ready_};
+        leave(from);
+        return {data_ + from, ready_ - from};
     }
     /// Whether the end of the input has been seen.
     bool complete() const { return complete_; }
-    /// Why the input could not be kept, where that happened; it then ends there.
-    const std::string& failure() const { return failure_; }
+    /// Why the input ends before its end, where that happened: told once.
+    std::optional<diag::Diagnostic> take_failure() { return std::exchange(failure_, std::nullopt); }
 
     /// What the texts of a program share: a byte order mark, control characters at the end and line ends.
     static std::size_t without_tail(std::string_view text);
 
   protected:
     virtual bool more(std::size_t) { return false; }
+    /// A reader of the whole text has come to `offset`.
+    virtual void leave(std::size_t) {}
     const char* data_ = nullptr;
     std::size_t ready_ = 0;
     bool complete_ = true;
-    std::string failure_;
+    std::optional<diag::Diagnostic> failure_;
 };
 
 /// A text from memory.
@@ -48,8 +53,10 @@ std::unique_ptr<Text> text_of(std::string_view text);
 /// device) is read as a stream. Null: reported.
 std::unique_ptr<Text> text_of_file(const std::string& path, diag::Sink& out);
 /// A pipe or terminal, kept in an unlinked temporary file as it is read, so that jumps back find it: blocks are ready
-/// before the input ends, and memory stays constant. Owns the descriptor; `out` outlives the text. Null: reported.
-std::unique_ptr<Text> text_of_stream(int descriptor, diag::Sink& out);
+/// before the input ends, and memory stays constant. Of a block beyond all measure only the beginning is kept, and an
+/// input without line ends is given up. Owns the descriptor; `out` outlives the text. Null: reported. `name` is for
+/// findings.
+std::unique_ptr<Text> text_of_stream(int descriptor, std::string name, diag::Sink& out);
 
 /// Whether the first bytes of a file may belong to a program; reports what no program holds: the byte order mark of
 /// UTF-16, or control characters all over.

@@ -4,6 +4,13 @@
 
 namespace fagorc::program {
 
+std::string_view text_of(const Block& block, std::uint16_t slot) {
+    const Quantity& q = block.slots[slot];
+    std::string_view text = block.text.substr(q.at, q.length);
+    if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
+    return text;
+}
+
 diag::Place Program::place(const Block& block, std::uint32_t first, std::uint32_t end) {
     const auto all = tokens(block);
     if (first >= all.size()) return place(block);

@@ -26,6 +26,9 @@ struct Subroutine {
     Cursor body;   ///< the block after it
 };
 
+/// The text in a slot of a block, without its quotes.
+std::string_view text_of(const Block& block, std::uint16_t slot);
+
 /// One program text. Blocks are decoded when they are read and never all kept; labels and subroutines are indexed when
 /// the first jump or call asks. Implemented by frontend/structure.
 class Program {
@@ -63,8 +66,9 @@ class Program {
 
     /// Findings of all blocks that have not been read: a syntax error behind a jump is an error too.
     virtual void check_unread(diag::Sink& out) = 0;
-    /// The whole text read so far to the end, for the trajectory file.
-    virtual std::string_view text() = 0;
+    /// The text from `from` to its end, for the trajectory file. A reader that goes on piece by piece says so by `from`:
+    /// what it has behind it may leave the memory until it is asked for again.
+    virtual std::string_view text(std::size_t from = 0) = 0;
 };
 
 /// Programs by number, and global subroutines wherever they stand (8055 T 12.5).

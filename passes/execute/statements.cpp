@@ -9,18 +9,6 @@ namespace fagorc::passes {
 
 using diag::Id;
 
-namespace {
-
-/// The text of a slot without its quotes.
-std::string_view text_of(const program::Block& block, std::uint16_t slot) {
-    const program::Quantity& q = block.slots[slot];
-    std::string_view text = block.text.substr(q.at, q.length);
-    if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
-    return text;
-}
-
-}  // namespace
-
 void Executor::statement(const program::Statement& statement) {
     statement_ = &statement;
     std::visit([this](const auto& what) { run(what); }, statement.what);

@@ -27,7 +27,9 @@ struct SomePrograms : backends::Programs {
     std::vector<One> list;
     std::map<std::uint32_t, std::uint32_t> labels;  ///< by line
     std::string_view name(diag::FileId file) const override { return list.at(static_cast<std::size_t>(file)).name; }
-    std::string_view text(diag::FileId file) const override { return list.at(static_cast<std::size_t>(file)).text; }
+    std::string_view text(diag::FileId file, std::size_t from) const override {
+        return std::string_view(list.at(static_cast<std::size_t>(file)).text).substr(from);
+    }
     diag::Place place(const operation::Context& at) const override { return {diag::FileId{0}, at.line, 1, 2, 0}; }
     std::optional<std::uint32_t> label(const operation::Context& at) const override {
         const auto found = labels.find(at.line);

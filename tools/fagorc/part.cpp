@@ -80,9 +80,9 @@ std::optional<std::uint32_t> Part::label(const operation::Context& at) const {
     return p ? p->label_of_line(at.line) : std::nullopt;
 }
 
-std::string_view Part::text(diag::FileId file) const {
+std::string_view Part::text(diag::FileId file, std::size_t from) const {
     program::Program* p = workspace_->program(file);
-    return p ? p->text() : std::string_view{};
+    return p ? p->text(from) : std::string_view{};
 }
 
 }  // namespace fagorc::tool

@@ -45,7 +45,7 @@ class Part final : public passes::Places, public backends::Programs {
     diag::Place place(const operation::Context& at) const override;
     std::optional<std::uint32_t> label(const operation::Context& at) const override;
     std::string_view name(diag::FileId file) const override { return workspace_->name(file); }
-    std::string_view text(diag::FileId file) const override;
+    std::string_view text(diag::FileId file, std::size_t from) const override;
 
   private:
     bool load_machine();

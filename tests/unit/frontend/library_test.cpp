@@ -42,6 +42,29 @@ TEST_F(Library, ProgramsOfAFolderHaveTheNumbersOfTheirNames) {
     EXPECT_TRUE(found.list().empty());
 }
 
+// 8055 T 1.1: PIT is the lathe's ending, PIM the mill's.
+TEST_F(Library, TheLathesEndingGoesBeforeTheMills) {
+    write("000007.PIM", "X70\nM30\n");
+    write("000008.PIT", "X80\nM30\n");
+    ASSERT_TRUE(workspace.add_library(folder));
+    EXPECT_EQ(library.program(7)->header().comment, "SEVEN");
+    EXPECT_EQ(library.program(8)->text(), "X80\nM30\n");
+    ASSERT_EQ(found.list().size(), 2u);
+    for (const diag::Diagnostic& d : found.list()) EXPECT_EQ(d.id, diag::Id::program_number_twice);
+}
+
+TEST_F(Library, AnOpenProgramHasItsNumberForItself) {
+    program::Program& open = workspace.add("elsewhere/000007.PIT", "X1\nM30\n");
+    ASSERT_TRUE(workspace.add_library(folder));
+    EXPECT_EQ(library.program(7), &open);
+    EXPECT_FALSE(library.subroutine(70).subroutine);  // of the copy in the folder
+    Workspace other{*dialect("8055"), found};
+    ASSERT_TRUE(other.add_library(folder));
+    program::Program* later = other.open((folder / "000007.PIT").string());
+    EXPECT_EQ(other.library().program(7), later);
+    EXPECT_TRUE(found.list().empty());
+}
+
 TEST_F(Library, AMissingFolderIsReported) {
     EXPECT_FALSE(workspace.add_library(folder / "missing"));
     ASSERT_EQ(found.list().size(), 1u);

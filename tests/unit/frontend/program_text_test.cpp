@@ -211,7 +211,7 @@ TEST(ProgramText, ABlockBeyondTheLimitIsOneFindingAndTheNextIsRead) {
     ASSERT_TRUE(block->shape->broken);
     program::report_findings(b.program, *block, b.found);
     ASSERT_EQ(b.ids(), std::vector<Id>{Id::block_too_long});
-    EXPECT_EQ(b.found.list()[0].arguments.at(0).plain, "70000");
+    EXPECT_EQ(b.found.list()[0].arguments.at(0).plain, "65536");
     EXPECT_EQ(b.program.read(block->next)->text, "X2");
 }
 

@@ -1,4 +1,5 @@
 // Programs that arrive through a pipe: whole blocks before the end of the input, jumps back, constant memory.
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -21,8 +22,9 @@ class StreamText : public testing::Test {
     void SetUp() override {
         int ends[2];
         ASSERT_EQ(::pipe(ends), 0);
+        read_end = ends[0];
         write_end = ends[1];
-        text = text_of_stream(ends[0], found);
+        text = text_of_stream(ends[0], "<stdin>", found);
         ASSERT_TRUE(text);
     }
     void TearDown() override { close(); }
@@ -35,7 +37,7 @@ class StreamText : public testing::Test {
     }
     std::string_view ready() const { return {text->data(), text->ready()}; }
 
-    int write_end = -1;
+    int read_end = -1, write_end = -1;
     diag::Collection found;
     std::unique_ptr<Text> text;
 };
@@ -55,7 +57,7 @@ TEST_F(StreamText, ABlockIsReadyAsSoonAsItIsWhole) {
     EXPECT_EQ(text->data()[text->ready()], '\n');
     EXPECT_FALSE(text->reach(8));
     EXPECT_TRUE(text->complete());
-    EXPECT_EQ(text->failure(), "");
+    EXPECT_FALSE(text->take_failure());
 }
 
 TEST_F(StreamText, ACrWaitsForTheLfThatMayFollow) {
@@ -92,6 +94,56 @@ TEST_F(StreamText, BinaryInputIsRefused) {
     EXPECT_EQ(found.list()[0].id, diag::Id::binary_file);
 }
 
+/// A line of `size` bytes into `end` of a pipe, from a process of its own that does not hold the other end open.
+void send_line(int end, int other_end, std::size_t size, std::string_view tail) {
+    if (::fork() != 0) return;
+    ::close(other_end);
+    const std::string part(std::size_t{1} << 20, 'X');
+    for (std::size_t sent = 0; sent < size; sent += part.size())
+        if (::write(end, part.data(), part.size()) < 0) ::_exit(1);
+    ::_exit(::write(end, tail.data(), tail.size()) < 0);
+}
+
+TEST_F(StreamText, OfABlockBeyondAllMeasureOnlyTheBeginningIsKept) {
+    send_line(write_end, read_end, 50'000'000, "\r\nX2\n");
+    close();
+    const std::string_view all = text->all();
+    EXPECT_LT(all.size(), 2'000'000u);
+    EXPECT_GT(all.find('\r'), 65536u);  // still too long for a block
+    EXPECT_EQ(all.substr(all.find('\r')), "\r\nX2\n");
+    EXPECT_FALSE(text->take_failure());
+    ::wait(nullptr);
+}
+
+TEST_F(StreamText, AnInputWithoutLineEndsIsGivenUp) {
+    send_line(write_end, read_end, 400'000'000, "\n");
+    close();
+    EXPECT_FALSE(text->reach(0));
+    const auto failure = text->take_failure();
+    ASSERT_TRUE(failure);
+    EXPECT_EQ(failure->id, diag::Id::no_line_end);
+    EXPECT_FALSE(text->take_failure());
+    text.reset();  // closes the pipe: the writer ends
+    ::wait(nullptr);
+}
+
+// A folder opens, and cannot be read (EISDIR).
+TEST(StreamProgram, AnInputThatBreaksOffIsToldOnce) {
+    diag::Collection found;
+    PlainMaker maker;
+    ShapeCache shapes(maker, true);
+    const Scanner scanner(lathe());
+    const int folder = ::open("/", O_RDONLY | O_DIRECTORY);
+    ProgramText program({lathe(), scanner, shapes, found, true}, {}, "<stdin>",
+                        text_of_stream(folder, "<stdin>", found));
+    EXPECT_FALSE(program.read(program.start()));
+    EXPECT_FALSE(program.label(1));
+    program.check_unread(found);
+    ASSERT_EQ(found.list().size(), 1u);
+    EXPECT_EQ(found.list()[0].id, diag::Id::cannot_read);
+    EXPECT_EQ(found.list()[0].arguments.at(0).plain, "<stdin>");
+}
+
 TEST(StreamProgram, JumpsBackAndForthWhileItArrives) {
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);
@@ -99,7 +151,8 @@ TEST(StreamProgram, JumpsBackAndForthWhileItArrives) {
     PlainMaker maker;
     ShapeCache shapes(maker, true);
     const Scanner scanner(lathe());
-    ProgramText program({lathe(), scanner, shapes, found, true}, {}, "<stdin>", text_of_stream(ends[0], found));
+    ProgramText program({lathe(), scanner, shapes, found, true}, {}, "<stdin>",
+                        text_of_stream(ends[0], "<stdin>", found));
     const auto send = [&](std::string_view s) { ASSERT_GT(::write(ends[1], s.data(), s.size()), 0); };
 
     send("N10 X1\nX2\nN20 X3\n");
@@ -163,7 +216,8 @@ TEST(StreamProgram, MemoryStaysConstantOverTwoHundredMegabytes) {
     const Scanner scanner(lathe());
     std::uint64_t blocks = 0;
     {
-        ProgramText program({lathe(), scanner, shapes, found, true}, {}, "<stdin>", text_of_stream(ends[0], found));
+        ProgramText program({lathe(), scanner, shapes, found, true}, {}, "<stdin>",
+                            text_of_stream(ends[0], "<stdin>", found));
         program::Cursor at = program.start();
         while (const program::Block* block = program.read(at)) {
             ++blocks;

@@ -151,9 +151,9 @@ std::string_view Replay::name(diag::FileId file) const {
     return n < sources_.size() ? std::string_view(sources_[n].name) : std::string_view{};
 }
 
-std::string_view Replay::text(diag::FileId file) const {
+std::string_view Replay::text(diag::FileId file, std::size_t from) const {
     const auto n = static_cast<std::size_t>(file);
-    return n < sources_.size() ? std::string_view(sources_[n].text) : std::string_view{};
+    return n < sources_.size() ? std::string_view(sources_[n].text).substr(from) : std::string_view{};
 }
 
 std::optional<std::uint32_t> Replay::label(const operation::Context& at) const {

@@ -24,7 +24,7 @@ class Replay final : public backends::Programs {
     void run(operation::Sink& sink, const bool* stop = nullptr) const;
 
     std::string_view name(diag::FileId file) const override;
-    std::string_view text(diag::FileId file) const override;
+    std::string_view text(diag::FileId file, std::size_t from) const override;
     /// No place: the programs are not files here.
     diag::Place place(const operation::Context&) const override { return {}; }
     std::optional<std::uint32_t> label(const operation::Context& at) const override;
