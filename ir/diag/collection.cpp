@@ -11,11 +11,19 @@ std::size_t Once::Hash::operator()(const Key& key) const {
     return static_cast<std::size_t>(h);
 }
 
+bool Once::is_new(const Key& key) {
+    if (seen_before_.contains(key) || !seen_.insert(key).second) return false;
+    if (seen_.size() >= remembered) {
+        seen_before_ = std::move(seen_);
+        seen_.clear();
+    }
+    return true;
+}
+
 void Once::report(Diagnostic diagnostic) {
     const bool full = limit_ != 0 && passed_ >= limit_;
     const Severity severity = row(diagnostic.id).severity;
-    if (!full && diagnostic.place.file != FileId::none && !seen_.insert(Key{diagnostic.id, diagnostic.place}).second)
-        return;
+    if (!full && diagnostic.place.file != FileId::none && !is_new({diagnostic.id, diagnostic.place})) return;
     ++counts_.by_severity[static_cast<std::size_t>(severity)];
     if (full) {
         ++left_out_;

@@ -28,7 +28,8 @@ constexpr bool fails(const Counts& counts, bool deny_warnings) {
 }
 
 /// Counts findings and passes each on once: a loop that runs into the same finding at the same place a thousand times
-/// reports it once. Findings without a place are all passed on.
+/// reports it once. Findings without a place are all passed on. It remembers the last 65,536 findings or more, so that
+/// a program of millions of errors takes no more memory than one of a few.
 class Once final : public Sink {
   public:
     /// After `limit` findings the rest is counted, repeats included, and not passed on; 0: no limit.
@@ -56,7 +57,10 @@ class Once final : public Sink {
     std::size_t passed_ = 0;
     std::uint64_t left_out_ = 0;
     Counts counts_;
-    std::unordered_set<Key, Hash> seen_;
+    bool is_new(const Key& key);
+
+    static constexpr std::size_t remembered = 65'536;
+    std::unordered_set<Key, Hash> seen_, seen_before_;  ///< the latest ones; up to `remembered` before those
 };
 
 /// Keeps findings in the order of discovery.

@@ -182,6 +182,15 @@ class Outputs(Case):
 
 
 class Sizes(Case):
+    def test_more_errors_than_are_shown(self):
+        self.write('part.pit', 'X1 X2\n' * 1000 + 'M30\n')
+        few = Run(self.folder, 'check', 'part.pit', '--format', 'short', '--max-errors', '3')
+        self.assertEqual(few.out.splitlines()[3:], ['fagorc: 997 not shown'])
+        self.assertEqual(few.code, 1)
+        people = Run(self.folder, 'check', 'part.pit')
+        self.assertEqual(len(people.codes()), 200)
+        self.assertEqual(people.out.splitlines()[-1], '1000 errors, 800 not shown')
+
     def test_a_block_over_64_kib(self):
         limit = 65536
         comment = lambda size: 'X1 ;' + '.' * (size - 4)
@@ -189,7 +198,7 @@ class Sizes(Case):
         self.assertEqual(Run(self.folder, 'check', 'part.pit').code, 0)
         self.write('part.pit', f'G91 G01 F100\n{comment(limit + 1)}\nX1 X2\nM30\n')
         run = self.refused(['check', 'part.pit', '--format', 'short'], 1, 'F0006', 'F0118')
-        self.assertIn('part.pit:2:1: error F0006: a block of 65537 bytes is too long, the limit is 65536\npart.pit:3:4: ', run.out)
+        self.assertIn('part.pit:2:1: error F0006: the block is longer than 65536 bytes\npart.pit:3:4: ', run.out)
 
     def test_a_line_of_100_mb(self):
         with open(self.folder / 'part.pit', 'wb') as f:

@@ -8,8 +8,12 @@
 namespace fagorc::tool {
 namespace {
 
-/// More findings than a person reads; the rest is counted.
-constexpr std::size_t most_findings = 200;
+/// How many findings are shown unless --max-errors says otherwise, the rest is counted; 0: all. A person reads no more
+/// than so many, and services take no more of one SARIF document, which is kept in memory until it is whole.
+constexpr std::size_t usual_limit(report::Format format) {
+    return format == report::Format::human ? 200 : format == report::Format::sarif ? 25'000 : 0;
+}
+
 /// Files of one workspace.
 constexpr std::uint32_t files_per_part = 1u << 16;
 
@@ -57,7 +61,7 @@ Console::Console(const Settings& settings, std::FILE* file)
     const auto write = [file](std::string_view text) { std::fwrite(text.data(), 1, text.size(), file); };
     const report::Format format = report::format_of(settings.format).value_or(report::Format::human);
     reporter_ = report::make_reporter(format, write, *this, options);
-    once_ = std::make_unique<diag::Once>(*reporter_, format == report::Format::human ? most_findings : 0);
+    once_ = std::make_unique<diag::Once>(*reporter_, settings.max_errors.value_or(usual_limit(format)));
 }
 
 Console::~Console() = default;

@@ -14,6 +14,11 @@ void add_report_options(CLI::App& command, Settings& s) {
     command.add_option("--format", s.format, "findings as human, short, json (one object a line) or sarif")
         ->check(CLI::IsMember({"human", "short", "json", "sarif"}))
         ->group("Messages");
+    command
+        .add_option(
+            "--max-errors", s.max_errors,
+            "show so many findings and count the rest; 0: all (default: 200 for people, 25000 in sarif, else all)")
+        ->group("Messages");
     command.add_flag("--deny-warnings", s.deny_warnings, "warnings count as errors for the exit code")
         ->group("Messages");
     command.add_flag("-q,--quiet", s.quiet, "no summary line")->group("Messages");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct Settings {
     std::vector<std::string> libraries, values;
     std::vector<int> skip;  ///< block skip marks that are set, 1..3
     std::string language, color = "auto", format = "human";
+    std::optional<std::uint64_t> max_errors;  ///< findings that are shown; 0: all
     std::uint64_t max_blocks = 1'000'000'000;
     bool deny_warnings = false, quiet = false, verify_passes = false;
     bool no_shape_cache = false, no_loop_cache = false;

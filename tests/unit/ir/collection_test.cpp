@@ -18,6 +18,15 @@ TEST(Once, PassesARepeatedFindingOnce) {
     EXPECT_EQ(once.counts().errors(), 1u);
 }
 
+TEST(Once, RemembersTheLastOnesOfMillions) {
+    Collection kept;
+    Once once(kept);
+    for (std::uint32_t line = 1; line <= 300'000; ++line) once.report(Id::division_by_zero, at(line));
+    EXPECT_EQ(kept.list().size(), 300'000u);
+    for (std::uint32_t line = 300'000 - 65'000; line <= 300'000; ++line) once.report(Id::division_by_zero, at(line));
+    EXPECT_EQ(kept.list().size(), 300'000u);
+}
+
 TEST(Once, TellsPlacesAndCodesApart) {
     Collection kept;
     Once once(kept);

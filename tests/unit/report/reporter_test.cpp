@@ -125,6 +125,7 @@ TEST_F(ReporterTest, ShortIsOneLineAFinding) {
     EXPECT_EQ(print(Format::brief, {{Id::axis_not_of_machine, word(), {'V'}, {}}, {Id::pipe_closed, {}, {}, {}}}),
               "part.pit:3:9: error F0205 [alarm 0046]: the machine has no axis V\n"
               "fagorc: error F0903: the reader of the output has closed it\n");
+    EXPECT_EQ(print(Format::brief, {}, 12), "fagorc: 12 not shown\n");
 }
 
 TEST_F(ReporterTest, JsonHoldsTheMembersOfTheContract) {

@@ -20,7 +20,9 @@ class Brief final : public Reporter {
                                readable(diag::message(d, out_.options.language))));
     }
 
-    void finish(const diag::Counts&, std::uint64_t) override {}
+    void finish(const diag::Counts&, std::uint64_t left_out) override {
+        if (left_out > 0) out_.write(fmt::format("fagorc: {}\n", not_shown(left_out, out_.options.language)));
+    }
 
   private:
     Output out_;

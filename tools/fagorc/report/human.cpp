@@ -19,11 +19,6 @@ std::string_view color_of(Severity severity) {
     return colors[static_cast<std::size_t>(severity)];
 }
 
-/// "1 error", "2 errors" in a language.
-std::string counted(std::uint64_t n, const Text& one, const Text& many, Language language) {
-    return fmt::format("{} {}", n, (n == 1 ? one : many).in(language));
-}
-
 class Human final : public Reporter {
   public:
     explicit Human(Output output) : out_(std::move(output)) {}
@@ -49,9 +44,7 @@ class Human final : public Reporter {
         if (counts.warnings() > 0)
             text += (text.empty() ? "" : ", ") + counted(counts.warnings(), {"warning", "avertissement", "advertencia"},
                                                          {"warnings", "avertissements", "advertencias"}, l);
-        if (left_out > 0)
-            text += ", " + counted(left_out, {"not shown", "non affiché", "no mostrado"},
-                                   {"not shown", "non affichés", "no mostrados"}, l);
+        if (left_out > 0) text += ", " + not_shown(left_out, l);
         if (!text.empty()) out_.write(text + '\n');
     }
 

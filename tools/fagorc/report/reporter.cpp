@@ -43,4 +43,13 @@ std::string headline(const diag::Diagnostic& diagnostic, const Options& options)
     return out;
 }
 
+std::string counted(std::uint64_t n, const Text& one, const Text& many, Language language) {
+    return fmt::format("{} {}", n, (n == 1 ? one : many).in(language));
+}
+
+std::string not_shown(std::uint64_t findings, Language language) {
+    return counted(findings, {"not shown", "non affiché", "no mostrado"}, {"not shown", "non affichés", "no mostrados"},
+                   language);
+}
+
 }  // namespace fagorc::report

@@ -25,4 +25,10 @@ std::string file_name(const SourceTexts& texts, const diag::Place& place);
 /// "error F0205 [alarm 0046]" in a language.
 std::string headline(const diag::Diagnostic& diagnostic, const Options& options);
 
+/// "1 error", "2 errors" in a language.
+std::string counted(std::uint64_t n, const Text& one, const Text& many, Language language);
+
+/// "12 not shown" in a language.
+std::string not_shown(std::uint64_t findings, Language language);
+
 }  // namespace fagorc::report
