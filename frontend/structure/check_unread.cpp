@@ -1,4 +1,7 @@
 // Findings of the blocks that no execution has read: an error behind a jump, or behind M30, is an error too.
+#include <algorithm>
+#include <vector>
+
 #include "frontend/structure/program_text.hpp"
 #include "ir/program/findings.hpp"
 
@@ -6,6 +9,58 @@ namespace fagorc::frontend {
 
 using program::Block;
 using program::Cursor;
+
+namespace {
+
+/// The parts of a statement, and of the actions of an IF, that have limits of their own.
+class Parts {
+  public:
+    struct Text {
+        std::uint16_t slot = 0;
+        const program::Statement* of = nullptr;
+    };
+
+    explicit Parts(const program::Statement& statement) { add(statement); }
+
+    /// Whether a node is all of a label, a program or a subroutine: a number there has more digits than a constant.
+    bool names(std::size_t node) const { return std::find(names_.begin(), names_.end(), node) != names_.end(); }
+    /// What MSG and ERROR show.
+    const std::vector<Text>& texts() const { return texts_; }
+
+  private:
+    void add(const program::Statement& s) {
+        std::visit([&](const auto& what) { part(s, what); }, s.what);
+    }
+    void name(program::Expression e) {
+        if (e.count == 1) names_.push_back(e.first);
+    }
+
+    using Whole = const program::Statement&;
+    void part(Whole, const program::Jump& j) { name(j.label); }
+    void part(Whole, const program::Repeat& r) {
+        for (const program::Expression e : {r.first, r.last, r.program}) name(e);
+    }
+    void part(Whole, const program::Call& c) { name(c.number); }
+    void part(Whole, const program::Execute& e) { name(e.program); }
+    void part(Whole, const program::Open& o) { name(o.program); }
+    void part(Whole, const program::Probe& p) { name(p.cycle); }
+    void part(Whole s, const program::ErrorStop& e) {
+        name(e.number);
+        if (e.text_slot) texts_.push_back({*e.text_slot, &s});
+    }
+    void part(Whole s, const program::Message& m) { texts_.push_back({m.text_slot, &s}); }
+    void part(Whole, const program::If& i) {
+        for (const auto* actions : {&i.then, &i.otherwise})
+            for (const program::Statement& action : *actions) add(action);
+    }
+    template <class Other>
+    void part(Whole, const Other&) {}
+
+    std::vector<std::size_t> names_;
+    std::vector<Text> texts_;
+};
+
+}  // namespace
 
 void ProgramText::check_unread(diag::Sink& out) {
     read_start();
@@ -25,32 +80,24 @@ void ProgramText::check_unread(diag::Sink& out) {
     seen_subroutines_.clear();
 }
 
-/// Constants and texts that no control takes: execution says so of the blocks that it runs.
+/// Constants and texts that no control takes (8055 T 11.1, alarms 0147 and 0148): execution says so of the blocks that it runs.
 void ProgramText::check_limits(const Block& block, diag::Sink& out) {
+    const auto* statement = std::get_if<program::Statement>(&block.shape->body);
+    if (!statement) return;
+    const Parts parts(*statement);
     const control::NumberFormat& format = decoder_.dialect.constant;
-    for (const program::Node& node : block.shape->nodes) {
-        if (node.op != program::Operator::number) continue;
+    for (std::size_t i = 0; i < block.shape->nodes.size(); ++i) {
+        const program::Node& node = block.shape->nodes[i];
+        if (node.op != program::Operator::number || parts.names(i)) continue;
         const program::Quantity& q = block.slots[node.slot];
         if (q.hexadecimal || (q.integer_digits <= format.integer_digits && q.decimals <= format.decimals_mm)) continue;
         out.report(diag::Id::number_too_long, place(block, node.token, node.token + 1u),
                    block.text.substr(q.at, q.length), format.integer_digits, format.decimals_mm);
     }
-    if (const auto* s = std::get_if<program::Statement>(&block.shape->body)) check_texts(block, *s, out);
-}
-
-void ProgramText::check_texts(const Block& block, const program::Statement& statement, diag::Sink& out) {
     const std::size_t most = decoder_.dialect.limits.text_length;
-    const auto check = [&](std::uint16_t slot) {
-        const std::size_t length = program::text_of(block, slot).size();
-        if (length > most)
-            out.report(diag::Id::text_too_long, place(block, statement.token, statement.end_token), length, most);
-    };
-    if (const auto* message = std::get_if<program::Message>(&statement.what)) check(message->text_slot);
-    if (const auto* error = std::get_if<program::ErrorStop>(&statement.what); error && error->text_slot)
-        check(*error->text_slot);
-    if (const auto* branch = std::get_if<program::If>(&statement.what))
-        for (const auto* list : {&branch->then, &branch->otherwise})
-            for (const program::Statement& s : *list) check_texts(block, s, out);
+    for (const Parts::Text& t : parts.texts())
+        if (const std::size_t length = program::text_of(block, t.slot).size(); length > most)
+            out.report(diag::Id::text_too_long, place(block, t.of->token, t.of->end_token), length, most);
 }
 
 /// The number of a subroutine: in range, once in the text, and not too many local ones (8055 T 12.4, 2.7).

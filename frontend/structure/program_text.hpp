@@ -82,7 +82,6 @@ class ProgramText final : public program::Program {
     std::optional<program::Cursor> find_label(std::uint32_t number);
     const program::Block* index_next();
     void check_limits(const program::Block& block, diag::Sink& out);
-    void check_texts(const program::Block& block, const program::Statement& statement, diag::Sink& out);
     void check_subroutine(const program::Block& block, diag::Sink& out);
 
     Decoder decoder_;

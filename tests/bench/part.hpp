@@ -40,7 +40,7 @@ class Part final : public passes::Places, public backends::Programs {
 
     diag::Place of(const operation::Context& at) override { return place(at); }
     std::string_view name(diag::FileId) const override { return "part.pit"; }
-    std::string_view text(diag::FileId) const override { return program_.text(); }
+    std::string_view text(diag::FileId, std::size_t from) const override { return program_.text(from); }
     diag::Place place(const operation::Context& at) const override { return program_.place_of_line(at.line); }
     std::optional<std::uint32_t> label(const operation::Context& at) const override {
         return program_.label_of_line(at.line);
