@@ -5,10 +5,10 @@
 
 namespace fagorc::backends {
 
-double highest_feed(const Job& job, const Position& before, const operation::Operation& o) {
+double highest_feed(const Job& job, const operation::Position& before, const operation::Operation& o) {
     AxisSet moving;
     if (const auto* line = std::get_if<operation::Line>(&o.what)) {
-        Position after = before;
+        operation::Position after = before;
         after.move(o, line->end);
         for (Axis a : all_axes)
             if (after.axes()[a] != before.axes()[a]) moving.add(a);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backends/backend.hpp"
-#include "backends/position.hpp"
+#include "ir/operation/position.hpp"
 
 namespace fagorc::backends {
 
@@ -13,10 +13,10 @@ struct Feed {
 
 /// F0 is the highest feed of the machine (8055 T 5.2), in mm/min whatever the feed mode: the smallest MAXFEED of the
 /// axes that the line or arc moves. `before`: where the tip stands before it.
-double highest_feed(const Job& job, const Position& before, const operation::Operation& o);
+double highest_feed(const Job& job, const operation::Position& before, const operation::Operation& o);
 
 /// The feed of a line or an arc.
-inline Feed feed_of(const Job& job, const Position& before, const operation::Operation& o) {
+inline Feed feed_of(const Job& job, const operation::Position& before, const operation::Operation& o) {
     if (o.at.feed == 0) return {highest_feed(job, before, o), program::FeedMode::per_minute};
     return {o.at.feed, job.tables.states[o.at.state].modal.feed};
 }

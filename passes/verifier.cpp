@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "ir/operation/position.hpp"
+
 namespace fagorc::passes {
 namespace {
 
@@ -19,14 +21,15 @@ bool finite(Point p) {
 class Verifier final : public Pass {
   public:
     Verifier(const Environment& environment, Sink& next, std::string_view after)
-        : Pass(environment, next), after_(after) {}
+        : Pass(environment, next), after_(after), tip_(environment.tables, environment.machine) {}
 
     void push(const Operation& o) override {
         const Tables& tables = environment().tables;
-        hold(static_cast<std::uint32_t>(o.at.state) < tables.states.size() &&
-                 static_cast<std::uint32_t>(o.at.frame) < tables.frames.size() &&
+        const bool state = static_cast<std::uint32_t>(o.at.state) < tables.states.size();
+        hold(state && static_cast<std::uint32_t>(o.at.frame) < tables.frames.size() &&
                  static_cast<std::uint32_t>(o.at.chain) < tables.chains.size(),
              o, "a handle names nothing");
+        if (state) tip_.enter(o);
         std::visit([&](const auto& what) { verify(o, what); }, o.what);
         emit(o);
     }
@@ -46,42 +49,31 @@ class Verifier final : public Pass {
         hold(finite(a.centre), o, "a centre is not a number");
         const double end_radius = distance(a.centre, a.end);
         hold(end_radius > 0, o, "an arc has no radius");
-        if (start_ && same_frame(o)) {
-            hold(std::abs(distance(a.centre, *start_) - end_radius) <= radius_tolerance * std::max(1.0, end_radius), o,
+        if (o.at.frame == frame_) {
+            const Point start = tip_.point();
+            hold(std::abs(distance(a.centre, start) - end_radius) <= radius_tolerance * std::max(1.0, end_radius), o,
                  "the radii of an arc disagree");
-            hold(!a.full || distance(*start_, a.end) <= full_circle_chord, o, "a full circle does not close");
+            hold(!a.full || distance(start, a.end) <= full_circle_chord, o, "a full circle does not close");
         }
         arrive(o, a.end);
     }
     void verify(const Operation& o, const Dwell& d) { hold(d.seconds >= 0, o, "a dwell is negative"); }
-    void verify(const Operation&, const Event& e) {
-        if (e.kind == Event::Kind::home) start_.reset();  // the axes have gone to their home points
+    void verify(const Operation& o, const Event& e) {
+        if (e.kind == Event::Kind::home) tip_.home(o, e.axes);
     }
     void verify(const Operation&, const Barrier&) {}
 
     void arrive(const Operation& o, Point end) {
         hold(finite(end), o, "a coordinate is not a number");
         for (double other : o.others) hold(std::isfinite(other), o, "a coordinate is not a number");
-        start_ = end;
+        tip_.move(o, end);
         frame_ = o.at.frame;
-        const State& state = environment().tables.states[o.at.state];
-        plane_ = state.modal.plane;
-        length_ = {state.length_z, state.length_x};
-    }
-
-    /// Whether the end of the move before is the start of this one in the same coordinates: an offset or tool that
-    /// changes in between moves no axis, yet its coordinates change.
-    bool same_frame(const Operation& o) const {
-        const State& state = environment().tables.states[o.at.state];
-        return o.at.frame == frame_ && state.modal.plane == plane_ &&
-               length_ == Point{state.length_z, state.length_x};
     }
 
     std::string after_;
-    std::optional<Point> start_;
-    FrameId frame_{};
-    Plane plane_;
-    Point length_;   ///< of the tool
+    Position tip_;
+    /// Of the last move: before the offsets are added its end is the start of the next one in the same frame only.
+    std::optional<FrameId> frame_;
 };
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include "backends/iso/refusal.hpp"
 #include "backends/iso/spindle.hpp"
 #include "backends/names.hpp"
-#include "backends/position.hpp"
 #include "backends/text.hpp"
+#include "ir/operation/position.hpp"
 
 namespace fagorc::backends {
 namespace {
@@ -33,7 +33,7 @@ constexpr std::size_t longest_comment = 50;
 class IsoWriter final : public operation::Sink {
   public:
     IsoWriter(const Job& job, Output& output, const IsoOptions& options)
-        : job_(job), options_(options), out_(output), position_(job) {
+        : job_(job), options_(options), out_(output), position_(job.tables, job.machine) {
         comment(job.producer);
         block("G21 G90 G91.1 G8 G18 G40 G49 G94 G97");
         std::transform(job.machine.start.begin(), job.machine.start.end(), at_.begin(), printed);
@@ -213,7 +213,7 @@ class IsoWriter final : public operation::Sink {
     Job job_;
     IsoOptions options_;
     TextWriter out_;
-    Position position_;
+    operation::Position position_;
     Spindle spindle_;
     AxisSet said_;                     ///< axes that have had a word
     PerAxis<double> at_{}, target_{};  ///< printed coordinates: where the reader stands, where it goes

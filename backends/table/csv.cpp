@@ -5,8 +5,8 @@
 
 #include "backends/feed.hpp"
 #include "backends/names.hpp"
-#include "backends/position.hpp"
 #include "backends/text.hpp"
+#include "ir/operation/position.hpp"
 
 namespace fagorc::backends {
 namespace {
@@ -34,7 +34,7 @@ std::string_view unit(program::FeedMode mode) {
 class CsvWriter final : public operation::Sink {
   public:
     CsvWriter(const Job& job, Output& output, const CsvOptions& options)
-        : job_(job), options_(options), out_(output), position_(job) {
+        : job_(job), options_(options), out_(output), position_(job.tables, job.machine) {
         out_.text = "line,kind,x,z,cx,cz,feed,feed_unit,lead,axes";
         out_.end_line();
     }
@@ -177,7 +177,7 @@ class CsvWriter final : public operation::Sink {
     Job job_;
     CsvOptions options_;
     TextWriter out_;
-    Position position_;
+    operation::Position position_;
     bool first_ = true;  ///< nothing stands in the column `axes` yet
 };
 

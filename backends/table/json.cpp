@@ -3,9 +3,9 @@
 #include "backends/feed.hpp"
 #include "backends/names.hpp"
 #include "backends/numbering.hpp"
-#include "backends/position.hpp"
 #include "backends/table/json_text.hpp"
 #include "backends/text.hpp"
+#include "ir/operation/position.hpp"
 
 namespace fagorc::backends {
 namespace {
@@ -14,7 +14,7 @@ using operation::Operation;
 
 class JsonWriter final : public NumberingSink {
   public:
-    JsonWriter(const Job& job, Output& output) : NumberingSink(job), out_(output), position_(job) {
+    JsonWriter(const Job& job, Output& output) : NumberingSink(job), out_(output), position_(job.tables, job.machine) {
         out_.text += json_header(job);
         out_.end_line();
     }
@@ -180,7 +180,7 @@ class JsonWriter final : public NumberingSink {
     }
 
     TextWriter out_;
-    Position position_;
+    operation::Position position_;
     std::uint64_t moves_ = 0, events_ = 0;
     std::uint32_t chain_ = 0, state_ = 0;
     bool completed_ = false;

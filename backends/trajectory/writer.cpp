@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "backends/numbering.hpp"
-#include "backends/position.hpp"
 #include "backends/trajectory/blocks.hpp"
 #include "backends/trajectory/meta.hpp"
 #include "backends/trajectory/records.hpp"
+#include "ir/operation/position.hpp"
 
 namespace fagorc::backends {
 namespace {
@@ -22,7 +22,8 @@ struct Series {
 
 class TrajectoryWriter final : public NumberingSink {
   public:
-    TrajectoryWriter(const Job& job, Output& output) : NumberingSink(job), out_(output), position_(job) {
+    TrajectoryWriter(const Job& job, Output& output)
+        : NumberingSink(job), out_(output), position_(job.tables, job.machine) {
         const std::string meta = meta_text(job);
         Block block(type::meta, 0, 1);
         block.append(meta.data(), std::min(meta.size(), Block::capacity));
@@ -197,7 +198,7 @@ class TrajectoryWriter final : public NumberingSink {
     std::uint32_t texts_in_block_ = 0;
     std::uint64_t moves_ = 0;
 
-    Position position_;
+    operation::Position position_;
     bool completed_ = false;
 };
 

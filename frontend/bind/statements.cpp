@@ -109,7 +109,7 @@ class StatementBinder {
         program::If out{operand(0), {}, {}};
         if (s_.then.empty()) refuse(Id::if_without_action);
         if (s_.alternative && s_.otherwise.empty())
-            b_.report(Id::if_without_action, *s_.alternative, *s_.alternative + 1u, b_.named(*s_.alternative));
+            b_.report(Id::if_without_action, *s_.alternative, *s_.alternative + 1u);
         for (const auto& [from, to] : {std::pair(&s_.then, &out.then), std::pair(&s_.otherwise, &out.otherwise)})
             for (const syntax::Statement& action : *from) to->push_back(bind_statement(b_, action));
         return out;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "frontend/structure/program_text.hpp"
+#include "ir/base/whole.hpp"
 #include "ir/program/findings.hpp"
 
 namespace fagorc::frontend {
@@ -111,6 +112,8 @@ void ProgramText::check_subroutine(const Block& block, diag::Sink& out) {
     const diag::Place where = place(block, sub->token, s->end_token);
     if (number > limits.subroutine && !(oem && header().oem && !sub->local))
         out.report(diag::Id::subroutine_number_out_of_range, where, 0, limits.subroutine);
+    else if (!whole_number(number))
+        out.report(diag::Id::decimals_not_allowed, where, sub->local ? "LSUB" : "SUB", number);
     const bool once = seen_subroutines_.emplace(sub->local, number).second;
     if (!once) out.report(diag::Id::subroutine_repeated, where, number);
     // Local ones come first in the text: no other is counted with them.

@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "frontend/structure/header.hpp"
+#include "ir/base/whole.hpp"
 #include "ir/program/findings.hpp"
 
 namespace fagorc::frontend {
@@ -23,11 +24,6 @@ bool is_silent(const Scan& scan) {
 const program::SubroutineBegin* subroutine_begin(const Block& block) {
     const auto* s = std::get_if<program::Statement>(&block.shape->body);
     return s ? std::get_if<program::SubroutineBegin>(&s->what) : nullptr;
-}
-
-/// A number that names something: whole and in range where the block is sound; others name nothing.
-std::uint32_t name_of(double value) {
-    return value >= 0 && value < UINT32_MAX ? static_cast<std::uint32_t>(value) : UINT32_MAX;
 }
 
 /// The template of a block that cannot be used for what is wrong with its own text.
@@ -191,14 +187,17 @@ const Block* ProgramText::decode(Cursor at, Reading& into) {
     return nullptr;
 }
 
-/// A label has its range (8055 T 2.1.1). It is a number, so no shape can tell.
+/// A label is whole and has its range (8055 T 2.1.1). It is a number, so no shape can tell.
 void ProgramText::refuse_label(Reading& reading) const {
     const program::BlockTemplate& shape = *reading.block.shape;
     const double label = reading.block.slots[*shape.label_slot].value;
     const std::uint32_t most = decoder_.dialect.limits.label;
-    if (label >= 0 && label <= most) return;
+    const bool in_range = label >= 0 && label <= most;
+    if (in_range && whole_number(label)) return;
     const auto first = static_cast<std::uint16_t>(std::popcount(shape.skip_marks));
-    reading.shape = broken({diag::Id::label_too_large, first, static_cast<std::uint16_t>(first + 2), {most}});
+    const auto end = static_cast<std::uint16_t>(first + 2);
+    reading.shape = in_range ? broken({diag::Id::decimals_not_allowed, first, end, {'N', label}})
+                             : broken({diag::Id::label_too_large, first, end, {most}});
     reading.block.shape = &reading.shape;
 }
 
@@ -230,7 +229,7 @@ diag::Place ProgramText::place_of_line(std::uint32_t line) {
 std::optional<std::uint32_t> ProgramText::label_of_line(std::uint32_t line) {
     const Block* block = decode(cursor_of_line(line), looking_);
     if (!block || block->here.line != line || !block->shape->label_slot) return std::nullopt;
-    return name_of(block->slots[*block->shape->label_slot].value);
+    return whole_number(block->slots[*block->shape->label_slot].value);
 }
 
 Cursor ProgramText::cursor_of_line(std::uint32_t line) {
@@ -247,12 +246,12 @@ const Block* ProgramText::index_next() {
     if (!block) return nullptr;
     indexed_to_ = block->next;
     lines_.add(block->here);
-    if (const auto slot = block->shape->label_slot) labels_.add(name_of(block->slots[*slot].value), block->here.line);
-    if (const auto* sub = subroutine_begin(*block)) {
-        const std::uint32_t number = name_of(block->slots[sub->slot].value);
-        subroutines_.try_emplace({sub->local, number},
-                                 program::Subroutine{number, sub->local, block->here, block->next});
-    }
+    if (const auto slot = block->shape->label_slot)
+        if (const auto label = whole_number(block->slots[*slot].value)) labels_.add(*label, block->here.line);
+    if (const auto* sub = subroutine_begin(*block))
+        if (const auto number = whole_number(block->slots[sub->slot].value))
+            subroutines_.try_emplace({sub->local, *number},
+                                     program::Subroutine{*number, sub->local, block->here, block->next});
     return block;
 }
 
@@ -266,7 +265,7 @@ std::optional<Cursor> ProgramText::find_label(std::uint32_t number) {
     if (const auto line = labels_.find(number)) return cursor_of_line(*line);
     while (const Block* block = index_next()) {
         const auto slot = block->shape->label_slot;
-        if (slot && name_of(block->slots[*slot].value) == number) return block->here;
+        if (slot && whole_number(block->slots[*slot].value) == number) return block->here;
     }
     return std::nullopt;
 }

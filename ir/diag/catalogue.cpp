@@ -120,6 +120,14 @@ std::vector<Id> with_alarm(std::string_view number, std::string_view control) {
     return found;
 }
 
+bool takes(Id id, std::size_t count) {
+    const std::string_view text = row(id).message.en;
+    std::size_t places = 0;
+    for (std::size_t at = text.find('{'); at != text.npos; at = text.find('{', at + 1))
+        places = std::max(places, static_cast<std::size_t>(text[at + 1] - '0') + 1);
+    return count == places;
+}
+
 std::string message(const Diagnostic& diagnostic, Language language) {
     std::string out;
     const std::string_view text = row(diagnostic.id).message.in(language);

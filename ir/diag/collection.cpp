@@ -1,5 +1,7 @@
 #include "ir/diag/collection.hpp"
 
+#include <cassert>
+
 namespace fagorc::diag {
 
 std::size_t Once::Hash::operator()(const Key& key) const {
@@ -21,6 +23,7 @@ bool Once::is_new(const Key& key) {
 }
 
 void Once::report(Diagnostic diagnostic) {
+    assert(takes(diagnostic.id, diagnostic.arguments.size()));
     const bool full = limit_ != 0 && passed_ >= limit_;
     const Severity severity = row(diagnostic.id).severity;
     if (!full && diagnostic.place.file != FileId::none && !is_new({diagnostic.id, diagnostic.place})) return;

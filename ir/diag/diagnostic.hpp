@@ -1,7 +1,9 @@
 // What a diagnostic is, and where all of them go.
 #pragma once
 
+#include <cassert>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -56,6 +58,9 @@ struct Diagnostic {
     std::vector<Label> related;
 };
 
+/// Whether the message of `id` has a place for each of `count` arguments and no other (ir/diag/catalogue.cpp).
+bool takes(Id id, std::size_t count);
+
 /// Takes diagnostics one by one, in the order of discovery.
 class Sink {
   public:
@@ -64,6 +69,7 @@ class Sink {
 
     template <class... Arguments>
     void report(Id id, const Place& place, Arguments&&... arguments) {
+        assert(takes(id, sizeof...(arguments)));
         Diagnostic d{id, place, {}, {}};
         (d.arguments.emplace_back(std::forward<Arguments>(arguments)), ...);
         report(std::move(d));

@@ -147,7 +147,13 @@ std::optional<diag::Diagnostic> diagnostic_of(Program& program, const Block& blo
         const auto tokens = program.tokens(block);
         if (finding.token < tokens.size()) return strange_character(place, text_of(block, tokens[finding.token]));
     }
-    return diag::Diagnostic{finding.id, place, finding.arguments, {}};
+    diag::Diagnostic d{finding.id, place, finding.arguments, {}};
+    // The key of a shape holds no number above 65535: the word is shown as it is written.
+    if (finding.id == Id::unknown_g || finding.id == Id::unknown_misc) {
+        const auto tokens = program.tokens(block);
+        if (finding.token < tokens.size()) d.arguments.front() = text_of(block, tokens[finding.token]);
+    }
+    return d;
 }
 
 bool report_findings(Program& program, const Block& block, diag::Sink& out) {

@@ -1,9 +1,9 @@
 #include "passes/check/check.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "ir/base/geometry.hpp"
+#include "ir/operation/position.hpp"
 
 namespace fagorc::passes {
 namespace {
@@ -12,39 +12,45 @@ using operation::Operation;
 
 class Check final : public Pass {
   public:
-    Check(const Environment& environment, operation::Sink& next) : Pass(environment, next) {
+    Check(const Environment& environment, operation::Sink& next)
+        : Pass(environment, next), tip_(environment.tables, environment.machine) {
         for (Axis a : all_axes)
             if (environment.machine.axes[a].min || environment.machine.axes[a].max) limited_.add(a);
     }
 
     void push(const Operation& o) override {
-        if (!limited_.empty() && operation::is_motion(o.what)) travel(o);
+        if (!limited_.empty()) follow(o);
         emit(o);
     }
 
   private:
+    void follow(const Operation& o) {
+        tip_.enter(o);
+        if (operation::is_motion(o.what)) return travel(o);
+        const auto* event = std::get_if<operation::Event>(&o.what);
+        if (event && event->kind == operation::Event::Kind::home) tip_.home(o, event->axes);
+    }
+
     void travel(const Operation& o) {
-        const Plane plane = environment().tables.states[o.at.state].modal.plane;
+        const Plane plane = tip_.plane();
         const Point end = std::visit([](const auto& what) { return end_of(what); }, o.what);
         Point low = end, high = end;
-        if (const auto* arc = std::get_if<operation::Arc>(&o.what)) extremes(*arc, plane, low, high);
+        if (const auto* arc = std::get_if<operation::Arc>(&o.what)) extremes(*arc, low, high);
         inside(o.at, plane.u, low.u, high.u);
         inside(o.at, plane.v, low.v, high.v);
         for (Axis a : all_axes)
             if (o.moved.has(a) && !plane.has(a)) inside(o.at, a, o.others[a], o.others[a]);
-        at_ = end;
-        plane_ = plane;
+        tip_.move(o, end);
     }
 
-    /// Widens [low, high] by the quarter points of the circle that the arc passes; its start is the end of the move
-    /// before, which is known while the plane stays the same.
-    void extremes(const operation::Arc& arc, Plane plane, Point& low, Point& high) const {
-        if (plane != plane_) return;
+    /// Widens [low, high] by the quarter points of the circle that the arc passes.
+    void extremes(const operation::Arc& arc, Point& low, Point& high) const {
+        const Point start = tip_.point();
         const double r = distance(arc.centre, arc.end);
-        const double sweep = swept_angle(at_, arc.end, arc.centre, arc.ccw, arc.full);
+        const double sweep = swept_angle(start, arc.end, arc.centre, arc.ccw, arc.full);
         for (const Point quarter : {Point{r, 0}, Point{0, r}, Point{-r, 0}, Point{0, -r}}) {
             const Point p = arc.centre + quarter;
-            if (!arc.full && swept_angle(at_, p, arc.centre, arc.ccw, false) > sweep) continue;
+            if (!arc.full && swept_angle(start, p, arc.centre, arc.ccw, false) > sweep) continue;
             low = {std::min(low.u, p.u), std::min(low.v, p.v)};
             high = {std::max(high.u, p.u), std::max(high.v, p.v)};
         }
@@ -70,8 +76,7 @@ class Check final : public Pass {
     }
 
     AxisSet limited_;
-    Point at_;
-    std::optional<Plane> plane_;
+    operation::Position tip_;
 };
 
 }  // namespace

@@ -141,6 +141,9 @@ void Executor::run(const program::Repeat& repeat) {
     const program::Cursor here = session_.block->here;
     frame.end = in->read(*end)->next.offset;
     session_.block = session_.program->read(here);  // reading may have replaced the block
+    const auto levels = static_cast<std::size_t>(session_.dialect.limits.subroutine_levels);
+    const bool holds_itself = in == session_.program && here.offset >= begin->offset && here.offset < frame.end;
+    if (holds_itself && frames_.size() >= levels) return refuse(Id::repeats_itself, *first, *last, levels);
     push(frame, *in, *begin);
 }
 
@@ -193,8 +196,7 @@ bool Executor::take_arguments(const std::vector<program::Assignment>& list, Argu
         const program::Target& t = a.target;
         std::optional<std::uint32_t> local;
         if (t.kind == program::Target::Kind::letter) local = t.operand;
-        if (t.kind == program::Target::Kind::parameter)
-            local = static_cast<std::uint32_t>(session_.block->slots[t.slot].value);
+        if (t.kind == program::Target::Kind::parameter) local = whole_number(session_.block->slots[t.slot].value);
         if (local && *local < Parameters::local_count)
             out.set(*local, evaluator_.value(a.value));
         else

@@ -143,10 +143,13 @@ bool Executor::repeats(const program::Statement& statement) const {
 bool Executor::repetition_fits(bool allowed) {
     const program::BlockTemplate& shape = *session_.block->shape;
     const std::uint32_t most = session_.dialect.limits.repetitions;
+    const double count = session_.block->slots[*shape.repeat_slot].value;
     if (!allowed)
         session_.report(Id::repetition_not_possible, shape.repeat_token, shape.repeat_token + 1u);
-    else if (session_.block->slots[*shape.repeat_slot].value > most)
+    else if (!(count >= 0 && count <= most))
         session_.report(Id::repetitions_out_of_range, shape.repeat_token, shape.repeat_token + 1u, most);
+    else if (!whole_number(count))
+        session_.report(Id::decimals_not_allowed, shape.repeat_token, shape.repeat_token + 1u, 'N', count);
     return !session_.failed;
 }
 
@@ -154,7 +157,7 @@ bool Executor::repetition_fits(bool allowed) {
 std::uint32_t Executor::runs() const {
     const program::Block& block = *session_.block;
     if (!block.shape->repeat_slot) return 1;
-    return static_cast<std::uint32_t>(block.slots[*block.shape->repeat_slot].value);
+    return whole_number(block.slots[*block.shape->repeat_slot].value).value_or(0);  // `repetition_fits` looked at it
 }
 
 void Executor::iso_block(const program::Block& block) {

@@ -40,13 +40,6 @@ double compare(Relation relation, double a, double b) {
     return unknown_value;
 }
 
-/// The whole number that a computed value stands for; nothing when it is too far from one.
-std::optional<std::uint32_t> whole(double value) {
-    if (!(value > -1 && value < 4294967295.0)) return std::nullopt;
-    const auto exact = static_cast<std::uint32_t>(value + 0.5);
-    return std::abs(value - exact) <= index_tolerance ? std::optional(exact) : std::nullopt;
-}
-
 }  // namespace
 
 double Evaluator::value(program::Expression expression) {
@@ -206,14 +199,8 @@ double Evaluator::function(const Node& node, double a) {
     return unknown_value;
 }
 
-double* Evaluator::missing_parameter(std::uint32_t number, std::uint16_t token) {
-    session_.report(session_.parameters.is_oem(number) ? Id::oem_parameter : Id::parameter_does_not_exist, token,
-                    token + 1, number);
-    return nullptr;
-}
-
 double* Evaluator::indirect_cell(double number, std::uint16_t token) {
-    if (const auto n = whole(number)) return parameter(*n, token);
+    if (const auto n = whole_number(number, index_tolerance)) return parameter(*n, token);
     session_.report(Id::parameter_does_not_exist, token, token + 1, number);
     return nullptr;
 }
@@ -232,9 +219,12 @@ std::optional<std::uint32_t> Evaluator::count(program::Expression expression) {
     const bool plain = nodes.size() == 1 && nodes[0].op == Operator::number;
     const auto v = plain ? std::optional(session_.block->slots[nodes[0].slot].value) : known(expression);
     if (!v) return std::nullopt;
-    if (const auto n = whole(*v)) return n;
-    session_.report(*v < 0 ? Id::negative_not_allowed : Id::decimals_not_allowed, expression.token,
-                    expression.end_token, *v);
+    if (const auto n = whole_number(*v, plain ? 0 : index_tolerance)) return n;
+    const Id wrong = *v < 0                 ? Id::negative_not_allowed
+                     : *v != std::trunc(*v) ? Id::decimals_not_allowed
+                                            : Id::number_too_large;
+    session_.report(wrong, expression.token, expression.end_token,
+                    session_.text(expression.token, expression.end_token), *v);
     return std::nullopt;
 }
 

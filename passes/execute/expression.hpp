@@ -29,10 +29,7 @@ class Evaluator {
     /// Evaluates and stores assignments from left to right, so that chains on one target work (8055 T 12.1).
     void assign(const program::Assignment& assignment);
     /// The cell of the parameter that a slot names, or null (reported).
-    double* parameter(double number, std::uint16_t token) {
-        double* cell = session_.parameters.find(static_cast<std::uint32_t>(number));
-        return cell ? cell : missing_parameter(static_cast<std::uint32_t>(number), token);
-    }
+    double* parameter(double number, std::uint16_t token) { return session_.parameter(number, token, token + 1u); }
 
     /// Assignments that changed a value, so far.
     std::uint64_t changes = 0;
@@ -49,7 +46,6 @@ class Evaluator {
     double binary(const Node& node, double a, double b);
     double power(const Node& node, double base, double exponent);
     double function(const Node& node, double a);
-    double* missing_parameter(std::uint32_t number, std::uint16_t token);
     double* indirect_cell(double number, std::uint16_t token);
 
     Session& session_;

@@ -1,7 +1,8 @@
 // Arcs: by centre, by radius, polar, tangent, through three points; helices (8055 T 6.3 to 6.7).
+#include <algorithm>
 #include <cmath>
+#include <string>
 
-#include "ir/base/arc.hpp"
 #include "passes/execute/iso_control.hpp"
 
 namespace fagorc::passes {
@@ -15,13 +16,6 @@ namespace {
 
 constexpr std::uint64_t blocks_looked_back = 48;  // as at compensated paths, 8055 T 8.2.5
 
-bool take_turn(Point end, const Turn& turn, Form& f) {
-    f.end = end;
-    f.centre = turn.centre;
-    f.ccw = turn.ccw;
-    return true;
-}
-
 }  // namespace
 
 void IsoRunner::Control::arc(const MotionWords& words) {
@@ -31,7 +25,6 @@ void IsoRunner::Control::arc(const MotionWords& words) {
         session.report_block(diag::Id::positioning_axis_not_allowed, letter(a), code_of_motion());
         return;
     }
-    if (!cutting_checked && !cutting_allowed()) return;
     const Point start = plane_point();
     Form f{start, start, state.modal.motion == Motion::ccw, false, std::nullopt};
     bool found = false;
@@ -77,41 +70,64 @@ std::optional<Point> IsoRunner::Control::arc_end(const MotionWords& words) {
     return std::nullopt;
 }
 
-/// Sorts I J K: those of the plane's axes are the centre, one more is the pitch of a helix (8055 T 6.3, 6.7). Two plane
-/// axes with one letter take it twice, in the order of the axes. `centre` comes as the start point.
-bool IsoRunner::Control::centre_given(const MotionWords& words, Point& centre, std::optional<double>& pitch) {
+/// Sorts I J K: those of the plane's axes are a point, one more is the pitch of a helix (8055 T 6.3, 6.7). Two plane
+/// axes with one letter take it twice, in the order of the axes. Nothing: reported.
+std::optional<CentreWords> IsoRunner::Control::centre_words(const MotionWords& words) {
     const Plane plane = state.modal.plane;
     const char lu = centre_letter(plane.u), lv = centre_letter(plane.v);
     const bool v_first = lu == lv && plane.v < plane.u;
-    bool has_u = false, has_v = false;
-    const bool absolute = form.absolute_centre;
-    const auto put = [&](double& coordinate, bool& has, Axis axis, double value) {
-        coordinate = absolute ? value * scale[axis] : coordinate + (is_rotary(axis) ? value : value * unit);
-        has = true;
-    };
+    CentreWords out;
     for (std::size_t i = 0; i < words.centre_count; ++i) {
-        const auto [value, word] = words.centres[i];
+        const auto& [value, word] = words.centres[i];
         const char l = word->address;
-        if (l == lv && !has_v && (l != lu || has_u || v_first)) {
-            put(centre.v, has_v, plane.v, value);
-        } else if (l == lu && !has_u) {
-            put(centre.u, has_u, plane.u, value);
-        } else if (!pitch) {
-            pitch = value * unit;
-            if (!(*pitch > 0)) {
-                session.report(diag::Id::pitch_wrong, word->token, word->end_token, value);
-                return false;
-            }
+        if (l == lv && !out.v && (l != lu || out.u || v_first)) {
+            out.v = value;
+        } else if (l == lu && !out.u) {
+            out.u = value;
+        } else if (!out.pitch) {
+            out.pitch = pitch_word(words, words.centres[i]);
+            if (!out.pitch) return std::nullopt;
         } else {
             session.report(diag::Id::coordinates_malformed, word->token, word->end_token, word->address);
-            return false;
+            return std::nullopt;
         }
     }
-    if (absolute && !(has_u && has_v)) {  // a letter left out is the coordinate 0 (8055 T 6.4)
-        session.report_once(diag::Id::centre_coordinate_missing, 0, 1, has_u ? lv : lu);
-        if (!has_u) centre.u = 0;
-        if (!has_v) centre.v = 0;
+    const bool absolute = form.absolute_centre || form.arc == BlockForm::Arc::three_points;
+    if (absolute && out.u.has_value() != out.v.has_value())  // a letter left out is the coordinate 0 (8055 T 6.4, 6.6)
+        session.report_once(diag::Id::centre_coordinate_missing, 0, 1, out.u ? lv : lu);
+    return out;
+}
+
+/// The letter that is not of the plane: the pitch where a third axis moves, else a mistake.
+std::optional<double> IsoRunner::Control::pitch_word(const MotionWords& words, const MotionWords::Centre& centre) {
+    const Plane plane = state.modal.plane;
+    const auto& [value, word] = centre;
+    AxisSet outside = words.axes;
+    outside.remove(plane.u);
+    outside.remove(plane.v);
+    if (outside.empty()) {
+        const auto [first, second] = std::minmax({centre_letter(plane.u), centre_letter(plane.v)});
+        session.report(diag::Id::centre_wrong, word->token, word->end_token, std::string{first, ' ', second});
+    } else if (!(value > 0)) {
+        session.report(diag::Id::pitch_wrong, word->token, word->end_token, value);
+    } else {
+        return value;
     }
+    return std::nullopt;
+}
+
+/// `centre` comes as the start point.
+bool IsoRunner::Control::centre_given(const MotionWords& words, Point& centre, std::optional<double>& pitch) {
+    const auto given = centre_words(words);
+    if (!given) return false;
+    const Plane plane = state.modal.plane;
+    const double u = given->u.value_or(0), v = given->v.value_or(0);
+    if (form.absolute_centre) {
+        centre = {u * scale[plane.u], v * scale[plane.v]};
+    } else {
+        centre = centre + Point{is_rotary(plane.u) ? u : u * unit, is_rotary(plane.v) ? v : v * unit};
+    }
+    if (given->pitch) pitch = *given->pitch * unit;
     return true;
 }
 
@@ -160,12 +176,9 @@ bool IsoRunner::Control::radius_arc(const MotionWords& words, Form& f) {
     if (!end) return false;
     f.end = *end;
     if (words.centre_count == 1) {  // the pitch of a helix
-        f.pitch = words.centres[0].value * unit;
-        if (!(*f.pitch > 0)) {
-            const Word& p = *words.centres[0].word;
-            session.report(diag::Id::pitch_wrong, p.token, p.end_token, words.centres[0].value);
-            return false;
-        }
+        const auto pitch = pitch_word(words, words.centres[0]);
+        if (!pitch) return false;
+        f.pitch = *pitch * unit;
     }
     const auto centre = centre_of_radius(start, *end, *words.radius, f.ccw, session.machine.arc_tolerance);
     if (!centre) {
@@ -184,7 +197,6 @@ bool IsoRunner::Control::radius_arc(const MotionWords& words, Form& f) {
 /// G08 and G09: the modal motion plays no part (8055 T 6.5, 6.6).
 bool IsoRunner::Control::other_arc(const MotionWords& words, Form& f) {
     const Plane plane = state.modal.plane;
-    const Point start = plane_point();
     std::optional<Point> end;
     if (words.polar != nullptr && !words.axes.has(plane.u) && !words.axes.has(plane.v)) {
         end = polar_end(words);
@@ -195,38 +207,47 @@ bool IsoRunner::Control::other_arc(const MotionWords& words, Form& f) {
         end = arc_end(words);
     }
     if (!end) return false;
-    const auto& code = form.arc_row->code;
-    std::optional<Turn> turn;
-    if (form.arc == BlockForm::Arc::tangent) {
-        if (!path.known || block_count - path.block - 1 > blocks_looked_back) {
-            session.report_block(diag::Id::no_path_before, code);
-            return false;
-        }
-        if (path.plane != plane) {
-            session.report_block(diag::Id::tangent_arc_plane);
-            return false;
-        }
-        turn = tangent_arc(start, path.direction, *end);
-        if (!turn || distance(turn->centre, start) > largest_radius) {
-            session.report_block(diag::Id::tangent_arc_impossible);
-            return false;
-        }
-        return take_turn(*end, *turn, f);
+    const auto turn = form.arc == BlockForm::Arc::tangent ? tangent_turn(*end) : three_point_turn(words, *end, f.pitch);
+    if (!turn) return false;
+    f.end = *end;
+    f.centre = turn->centre;
+    f.ccw = turn->ccw;
+    return true;
+}
+
+std::optional<Turn> IsoRunner::Control::tangent_turn(Point end) {
+    if (!path.known || block_count - path.block - 1 > blocks_looked_back) {
+        session.report_block(diag::Id::no_path_before, form.arc_row->code);
+        return std::nullopt;
     }
-    Point middle{};
-    for (std::size_t i = 0; i < words.centre_count; ++i) {
-        const auto [value, word] = words.centres[i];
-        if (word->address == centre_letter(plane.u)) middle.u = value * scale[plane.u];
-        if (word->address == centre_letter(plane.v)) middle.v = value * scale[plane.v];
+    if (path.plane != state.modal.plane) {
+        session.report_block(diag::Id::tangent_arc_plane);
+        return std::nullopt;
     }
-    if (words.centre_count < 2) session.report_once(diag::Id::centre_coordinate_missing, 0, 1, code);
+    const auto turn = tangent_arc(plane_point(), path.direction, end);
+    if (turn && distance(turn->centre, plane_point()) <= largest_radius) return turn;
+    session.report_block(diag::Id::tangent_arc_impossible);
+    return std::nullopt;
+}
+
+/// I J K are a point of the arc, which counts from the start under G91 (8055 T 6.6).
+std::optional<Turn> IsoRunner::Control::three_point_turn(const MotionWords& words, Point end,
+                                                         std::optional<double>& pitch) {
+    const auto given = centre_words(words);
+    if (!given) return std::nullopt;
+    if (!given->u && !given->v) {
+        session.report_block(form.arc_row->misuse, form.arc_row->code, form.arc_row->syntax);
+        return std::nullopt;
+    }
+    const Plane plane = state.modal.plane;
+    const Point start = plane_point();
+    Point middle{given->u.value_or(0) * scale[plane.u], given->v.value_or(0) * scale[plane.v]};
     if (state.modal.distance == Distance::incremental) middle = start + middle;
-    turn = arc_through(start, middle, *end);
-    if (!turn || distance(turn->centre, start) > largest_radius) {
-        session.report_block(diag::Id::arc_points_in_line);
-        return false;
-    }
-    return take_turn(*end, *turn, f);
+    if (given->pitch) pitch = *given->pitch * unit;
+    const auto turn = arc_through(start, middle, end);
+    if (turn && distance(turn->centre, start) <= largest_radius) return turn;
+    session.report_block(diag::Id::arc_points_in_line);
+    return std::nullopt;
 }
 
 /// Checks the radii at both ends; within the tolerance the centre gives way, so that the arc is exact (8055 T 6.3).
@@ -257,7 +278,14 @@ void IsoRunner::Control::emit_arc(const Form& f, const MotionWords& words) {
     now.moved = words.axes;
     now.moved.remove(plane.u);
     now.moved.remove(plane.v);
-    if (f.pitch && !whole_turns(f)) return;
+    const std::optional<int> turns = f.pitch ? whole_turns(f) : 0;
+    if (!turns || (!cutting_checked && !cutting_allowed())) return;
+    const Point start = plane_point();
+    for (int i = 0; i < *turns; ++i) {
+        for (Axis a : all_axes)
+            if (now.moved.has(a)) now.others[a] += std::copysign(*f.pitch, target[a] - now.others[a]);
+        emit(operation::Arc{start, f.centre, f.ccw, true});
+    }
     if (!now.moved.empty())
         for (Axis a : all_axes)
             if (now.moved.has(a)) now.others[a] = programmed[a] = target[a];
@@ -273,8 +301,8 @@ void IsoRunner::Control::emit_arc(const Form& f, const MotionWords& words) {
     path_ends(arc_direction(f.end, f.centre, f.ccw));
 }
 
-/// The whole turns of a helix before its last part; false: height, pitch and arc do not fit (8055 T 6.7).
-bool IsoRunner::Control::whole_turns(const Form& f) {
+/// The whole turns of a helix before its last part; nothing: height, pitch and arc do not fit (8055 T 6.7).
+std::optional<int> IsoRunner::Control::whole_turns(const Form& f) {
     Axis along{};
     int axes = 0;
     for (Axis a : all_axes)
@@ -288,13 +316,9 @@ bool IsoRunner::Control::whole_turns(const Form& f) {
     const double miss = std::abs(turns - count) * whole * distance(f.centre, start);
     if (axes != 1 || count < 0 || miss > session.machine.arc_tolerance) {
         session.report_block(diag::Id::helix_wrong);
-        return false;
+        return std::nullopt;
     }
-    for (int i = 0; i < static_cast<int>(count); ++i) {
-        now.others[along] += std::copysign(*f.pitch, height);
-        emit(operation::Arc{start, f.centre, f.ccw, true});
-    }
-    return true;
+    return static_cast<int>(count);
 }
 
 }  // namespace fagorc::passes

@@ -91,14 +91,18 @@ struct IsoRunner::Control : IsoState {
     bool cutting_allowed();
     void arc(const MotionWords& words);
     std::optional<Point> arc_end(const MotionWords& words);
+    std::optional<CentreWords> centre_words(const MotionWords& words);
+    std::optional<double> pitch_word(const MotionWords& words, const MotionWords::Centre& centre);
     bool centre_given(const MotionWords& words, Point& centre, std::optional<double>& pitch);
     bool programmed_arc(const MotionWords& words, ArcForm& out);
     bool polar_arc(const MotionWords& words, ArcForm& out);
     bool radius_arc(const MotionWords& words, ArcForm& out);
     bool other_arc(const MotionWords& words, ArcForm& out);
+    std::optional<Turn> tangent_turn(Point end);
+    std::optional<Turn> three_point_turn(const MotionWords& words, Point end, std::optional<double>& pitch);
     bool exact(ArcForm& form);
     void emit_arc(const ArcForm& form, const MotionWords& words);
-    bool whole_turns(const ArcForm& form);
+    std::optional<int> whole_turns(const ArcForm& form);
 
     // -- F S T D M (iso_technology.cpp, iso_misc.cpp)
     void set_feed(const program::Word& word);

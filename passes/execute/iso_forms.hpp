@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "ir/base/arc.hpp"
 #include "ir/base/axis.hpp"
 #include "ir/base/geometry.hpp"
 #include "ir/control/construct.hpp"
@@ -64,6 +65,12 @@ enum class AxisWay : std::uint8_t {
     indexed,   ///< the same for an axis that only positions
     turning,   ///< rotary with rollover: the sign is the sense of rotation
     shortest   ///< positioning-only with rollover: the shortest way
+};
+
+/// I J K sorted by what they are, in the programmed unit.
+struct CentreWords {
+    std::optional<double> u, v;   ///< those of the plane's axes
+    std::optional<double> pitch;  ///< of a helix, above zero
 };
 
 /// An arc of the plane as its block gives it; `pitch` of a helix of several turns, mm.

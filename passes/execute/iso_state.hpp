@@ -44,7 +44,6 @@ struct IsoState {
     // -- of the block at hand
     BlockForm form;
     bool form_used = false;  ///< `form` says something: it is cleared before the next block
-    bool rounding_told = false;
     /// What has called a subroutine that runs, innermost last; an M is sent at its end where `send` says so.
     struct Waiting {
         enum class For : std::uint8_t { misc, tool, home } what = For::misc;

@@ -128,9 +128,13 @@ bool IsoRunner::Control::cutting_allowed() {
     }
     if (thread) return true;
     if (now.at.feed == 0) {
-        session.report_block(session.machine.feed_zero_is_error ? diag::Id::feed_missing : diag::Id::feed_is_highest,
-                             code_of_motion());
-        if (session.failed) return false;
+        const auto* row = row_of(program::Group::feed, static_cast<std::uint8_t>(m.feed));
+        const std::string_view mode = row != nullptr ? row->code : std::string_view();
+        if (session.machine.feed_zero_is_error) {
+            session.report_block(diag::Id::feed_missing, code_of_motion(), mode);
+            return false;
+        }
+        session.report_block(diag::Id::feed_is_highest, mode);
     }
     cutting_checked = true;
     return true;

@@ -26,19 +26,14 @@ double IsoRunner::Control::other_number(const Word& word) {
     }
     if (word.value.kind == WordValue::Kind::literal) return word.value.slot;
     const double number = session.block->slots[word.value.slot].value;
-    const double* cell = session.parameters.find(static_cast<std::uint32_t>(number));
-    if (cell == nullptr) {
-        session.report(diag::Id::parameter_does_not_exist, word.token, word.end_token, number);
-        return 0;
-    }
+    const double* cell = session.parameter(number, word.token, word.end_token);
+    if (cell == nullptr) return 0;
     if (is_unknown(*cell)) session.blocked = true;
     return word.value.negative ? -*cell : *cell;
 }
 
 double IsoRunner::Control::rounded(const Word& word, double value) {
-    if (!rounding_told)
-        session.report(diag::Id::decimals_rounded, word.token, word.end_token, word.address, most_decimals);
-    rounding_told = true;
+    session.report(diag::Id::decimals_rounded, word.token, word.end_token, word.address, most_decimals);
     const double steps = std::pow(10, most_decimals);
     const double v = std::round(value * steps) / steps;
     if (!(std::abs(v) < word_limit)) beyond_format(word, v);

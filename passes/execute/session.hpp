@@ -8,6 +8,7 @@
 #include <string>
 #include <tuple>
 
+#include "ir/base/whole.hpp"
 #include "ir/diag/catalogue.hpp"
 #include "passes/execute/execute.hpp"
 #include "passes/execute/parameters.hpp"
@@ -62,6 +63,21 @@ struct Session {
             report(id, first, end, std::forward<Arguments>(arguments)...);
     }
     bool ends() const { return failed || blocked; }
+    /// Tokens [first, end) of the block being executed as written.
+    std::string_view text(std::uint32_t first, std::uint32_t end) const {
+        const diag::Place place = program->place(*block, first, end);
+        return block->text.substr(place.column - 1, place.end_column - place.column);
+    }
+
+    /// The cell of the parameter with the number that tokens [first, end) name; null: reported.
+    double* parameter(double number, std::uint32_t first, std::uint32_t end) {
+        const auto whole = whole_number(number);
+        double* const cell = whole ? parameters.find(*whole) : nullptr;
+        if (cell == nullptr) [[unlikely]]
+            parameter_missing(number, first, end);
+        return cell;
+    }
+    void parameter_missing(double number, std::uint32_t first, std::uint32_t end);
 
     std::set<std::tuple<diag::FileId, std::uint64_t, std::uint32_t, diag::Id>> reported{};   ///< by report_once
 };

@@ -192,10 +192,10 @@ double Variables::entry(double number, std::uint16_t token) {
 double Variables::position(std::uint16_t payload, double label, double program, std::uint16_t token) {
     const auto a = open(payload, {}, token);
     if (!a || is_unknown(label) || is_unknown(program)) return unknown_value;
+    const auto from = whole_number(program, index_tolerance), block_number = whole_number(label, index_tolerance);
     program::Program* in = session_.program;
-    if (in->number() != static_cast<std::uint32_t>(program))
-        in = session_.library.program(static_cast<std::uint32_t>(program));
-    const auto at = in ? in->label(static_cast<std::uint32_t>(label)) : std::nullopt;
+    if (in->number() != from) in = from ? session_.library.program(*from) : nullptr;
+    const auto at = in && block_number ? in->label(*block_number) : std::nullopt;
     if (!at) {
         session_.report(Id::position_target_missing, token, token + 1, label, program);
         return unknown_value;
@@ -211,7 +211,8 @@ double Variables::position(std::uint16_t payload, double label, double program, 
         if (word.value.kind == program::WordValue::Kind::none) return 0;
         const double number = block->slots[word.value.slot].value;
         if (word.value.kind == program::WordValue::Kind::number) return number;
-        const double* cell = session_.parameters.find(static_cast<std::uint32_t>(number));
+        const auto parameter = whole_number(number);
+        const double* cell = parameter ? session_.parameters.find(*parameter) : nullptr;
         return !cell ? unknown_value : word.value.negative ? -*cell : *cell;
     }
     return not_programmed;

@@ -54,7 +54,7 @@ TEST(Repeat, NumbersItsPassesAndNamesItsCaller) {
 TEST(Repeat, RefusesWhatIsNoSection) {
     EXPECT_EQ(last_message("N10 G0 X10\nN20 X0\n(RPT N20, N10)\nM30\n"), "repeat_labels_reversed");
     EXPECT_EQ(last_message("N10 G0 X10\n(RPT N10, N99)\nM30\n"), "repeat_label_undefined 1060");
-    EXPECT_EQ(last_message("N10 G0 X10\nN20 (RPT N10, N20)\nM30\n"), "nesting_exceeded 1055");  // repeats itself
+    EXPECT_EQ(last_message("N10 G0 X10\nN20 (RPT N10, N20)\nM30\n"), "repeats_itself 1055");
     EXPECT_EQ(run_program("G152\nN10 X10\n(RPT N10, N10) N0\nM30\n").moves(), (Moves{"10 0"}));
 }
 

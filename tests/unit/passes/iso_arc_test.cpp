@@ -167,6 +167,29 @@ TEST(IsoArc, ThreePoints) {
     EXPECT_EQ(alarm_of("G18 G152 G90 G00 X10 Z10\nG09 X30 Z30 I10 K20 L5 F100"), "0044");
 }
 
+TEST(IsoArc, ThreePointsNeedTheLettersOfThePlane) {
+    const std::string start = "G18 G152\nG90 G00 X40 Z5\n";
+    // J is a letter of another plane: what G02 says about it.
+    EXPECT_EQ(alarm_of(start + "G09 X60 Z-5 I55 J2 F100"), "0052");
+    EXPECT_EQ(alarm_of(start + "G02 X60 Z-5 I10 J1 F100"), "0052");
+    EXPECT_EQ(alarm_of(start + "G02 X60 Z-5 R20 J1 F100"), "0052");
+    EXPECT_EQ(alarm_of(start + "G09 X60 Z-5 F100"), "operands_wrong");
+    // One letter left out is 0, and named: the circle through (Z5 X40), (Z0 X55), (Z-5 X60).
+    IsoRig b;
+    b.run(start + "G09 X60 Z-5 I55 F100");
+    ASSERT_EQ(b.warnings(), std::vector<std::string>{"centre_coordinate_missing"});
+    EXPECT_EQ(b.findings.list.front().arguments.front().plain, "K");
+    // They are 25 from (-20, 40): (25, 0), (20, 15), (15, 20).
+    expect_point(b.last<Arc>().centre, -20.0, 40.0);
+}
+
+TEST(IsoArc, ItsOwnErrorComesBeforeTheFeed) {
+    IsoRig b;
+    b.run("G18 G152\nG90 G00 X40 Z5\nG03 X40 I");
+    EXPECT_EQ(b.alarm(), "0043");                                          // the coordinate of Z is missing
+    EXPECT_EQ(b.warnings(), std::vector<std::string>{"number_left_out"});  // and not feed_is_highest
+}
+
 TEST(IsoArc, PolarOriginFollowsArcsByParameter) {
     const std::string_view blocks = "G18 G152 G90 G00 X40 Z60\nG03 X90 Z110 I50 K0 F100\nG01 R10 Q0";
     IsoRig stays;

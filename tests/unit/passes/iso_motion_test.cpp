@@ -165,11 +165,11 @@ TEST(IsoMotion, NumberFormats) {
     EXPECT_EQ(b.run("G00 ZP0").alarm(), "0147");
 }
 
-TEST(IsoMotion, AFifthDecimalIsRoundedWithOneWarning) {
+TEST(IsoMotion, AFifthDecimalIsRoundedWithAWarningAtEachWord) {
     IsoRig b;
     b.run("G152\nG00 X10.00016 Z1.23456");
     expect_end(b, 1.2346, 10.0002);
-    EXPECT_EQ(b.warnings(), std::vector<std::string>{"decimals_rounded"});
+    EXPECT_EQ(b.warnings(), (std::vector<std::string>{"decimals_rounded", "decimals_rounded"}));
 }
 
 TEST(IsoMotion, UnknownValuesBlock) {

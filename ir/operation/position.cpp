@@ -1,9 +1,9 @@
-#include "backends/position.hpp"
+#include "ir/operation/position.hpp"
 
-namespace fagorc::backends {
+namespace fagorc::operation {
 
-bool Position::change_state(operation::StateId id) {
-    const operation::State& s = tables_.states[id];
+bool Position::change_state(StateId id) {
+    const State& s = tables_.states[id];
     const bool jumps = lengths_known_ && (s.length_x != length_x_ || s.length_z != length_z_);
     if (jumps) {
         at_[Axis::X] += length_x_ - s.length_x;
@@ -17,4 +17,4 @@ bool Position::change_state(operation::StateId id) {
     return jumps;
 }
 
-}  // namespace fagorc::backends
+}  // namespace fagorc::operation
