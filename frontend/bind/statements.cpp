@@ -107,7 +107,7 @@ class StatementBinder {
 
     StatementKind branch() {
         program::If out{operand(0), {}, {}};
-        if (s_.then.empty()) refuse(Id::if_without_action);
+        if (s_.then.empty()) b_.report(Id::if_without_action, s_.token, s_.token + 1u);
         if (s_.alternative && s_.otherwise.empty())
             b_.report(Id::if_without_action, *s_.alternative, *s_.alternative + 1u);
         for (const auto& [from, to] : {std::pair(&s_.then, &out.then), std::pair(&s_.otherwise, &out.otherwise)})

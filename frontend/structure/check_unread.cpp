@@ -101,7 +101,7 @@ void ProgramText::check_limits(const Block& block, diag::Sink& out) {
             out.report(diag::Id::text_too_long, place(block, t.of->token, t.of->end_token), length, most);
 }
 
-/// The number of a subroutine: in range, once in the text, and not too many local ones (8055 T 12.4, 2.7).
+/// The number of a subroutine: in range, once in the text, and not too many local ones (8055 T 2.2, 12.5).
 void ProgramText::check_subroutine(const Block& block, diag::Sink& out) {
     const auto* s = std::get_if<program::Statement>(&block.shape->body);
     const auto* sub = s ? std::get_if<program::SubroutineBegin>(&s->what) : nullptr;

@@ -178,7 +178,7 @@ TEST(IsoArc, ThreePointsNeedTheLettersOfThePlane) {
     IsoRig b;
     b.run(start + "G09 X60 Z-5 I55 F100");
     ASSERT_EQ(b.warnings(), std::vector<std::string>{"centre_coordinate_missing"});
-    EXPECT_EQ(b.findings.list.front().arguments.front().plain, "K");
+    EXPECT_EQ(b.findings.list().front().arguments.front().plain, "K");
     // They are 25 from (-20, 40): (25, 0), (20, 15), (15, 20).
     expect_point(b.last<Arc>().centre, -20.0, 40.0);
 }
